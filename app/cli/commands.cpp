@@ -2,15 +2,17 @@
 
 namespace app {
 
+void addSimulateCommand(CLI::App& program, Session& session);
+
 // Each command adds itself: its options, its help, and a callback that calls one library function.
 
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      nullptr,
+      addSimulateCommand,
   };
   for (const AddCommand add : kCommands) {
-    if (add) add(program, session);
+    add(program, session);
   }
 }
 

@@ -1,0 +1,78 @@
+#include <cmath>
+
+#include "model/effects/declarations.h"
+
+namespace model::effects {
+
+namespace {
+
+constexpr double kReferenceWavelength_nm = 550.0;
+
+/// Exponent of the wavelength dependence. Source: Kim, McArthur, Korevaar 2001, doi:10.1117/12.417512, eq. 4.
+double kimExponent(double visibility_km) {
+  if (visibility_km > 50.0) return 1.6;
+  if (visibility_km > 6.0) return 1.3;
+  if (visibility_km > 1.0) return 0.16 * visibility_km + 0.34;
+  if (visibility_km > 0.5) return visibility_km - 0.5;
+  return 0.0;
+}
+
+/// α = 3.912 / V · (λ / 550 nm)^-q, Kruse's law with Kim's exponent; 3.912 = -ln 0.02 (2 % contrast). [1/m]
+double extinctionFromVisibility(double visibility_m, double wavelength_nm) {
+  return 3.912 / visibility_m * std::pow(wavelength_nm / kReferenceWavelength_nm, -kimExponent(visibility_m / 1000.0));
+}
+
+/// 1.076 R^0.67 dB/km. Source: Carbonneau & Wisely 1998, doi:10.1117/12.302454. [1/m]
+double extinctionFromRain(double rain_rate_mm_h) {
+  constexpr double kNeperPerDecibel = 0.23025850929940457;  // ln(10)/10, of power
+  return 1.076 * std::pow(rain_rate_mm_h, 0.67) * kNeperPerDecibel / 1000.0;
+}
+
+/// Beer–Lambert, out and back: P = P_clear · exp(-2 α r).
+class AtmosphericAttenuation final : public Effect {
+ public:
+  explicit AtmosphericAttenuation(const EffectParameters& parameters) : parameters_(parameters) {}
+
+  void prepare(ChainSettings& settings, const Environment& environment) const override {
+    const double wavelength_nm = settings.emitter.wavelength_nm;
+    if (!parameters_.numbers.empty()) {
+      extinction_1_m_ = fromNumbers(parameters_.number("visibility_m"), parameters_.number("rain_rate_mm_h"), wavelength_nm) +
+                        parameters_.numberOr("extinction_1_m", 0.0);
+    } else {
+      extinction_1_m_ = fromNumbers(environment.visibility_m, environment.rain_rate_mm_h, wavelength_nm);
+    }
+  }
+  [[nodiscard]] bool changesPower() const override { return true; }
+  [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
+    return std::exp(-2.0 * extinction_1_m_ * reflection.range_m);
+  }
+
+ private:
+  static double fromNumbers(std::optional<double> visibility_m, std::optional<double> rain_rate_mm_h,
+                            double wavelength_nm) {
+    return (visibility_m ? extinctionFromVisibility(*visibility_m, wavelength_nm) : 0.0) +
+           (rain_rate_mm_h ? extinctionFromRain(*rain_rate_mm_h) : 0.0);
+  }
+
+  EffectParameters parameters_;
+  mutable double extinction_1_m_ = 0.0;  // set once by prepare(), before the effect is shared
+};
+
+}  // namespace
+
+EffectEntry atmosphericAttenuation() {
+  return {.info = {.name = "atmospheric-attenuation",
+                   .title = "Attenuation by the atmosphere",
+                   .stage = Stage::kPropagation,
+                   .percollect = {"87", "92", "93", "98"},
+                   .parameters = {{"visibility_m", "m", 20.0, 20000.0, std::nullopt,
+                                   "Meteorological visibility; without any parameter the experiment's environment", true, 1000.0},
+                                  {"rain_rate_mm_h", "mm/h", 0.0, 100.0, std::nullopt, "Rain rate", false, 10.0},
+                                  {"extinction_1_m", "1/m", 0.0, 0.2, std::nullopt, "Extinction coefficient", true, 0.005}},
+                   .fitted = {"visibility_m"},
+                   .source = "Kruse et al. 1962; Kim et al. 2001, doi:10.1117/12.417512; Carbonneau & Wisely 1998, "
+                             "doi:10.1117/12.302454"},
+          .make = makeFrom<AtmosphericAttenuation>};
+}
+
+}  // namespace model::effects

@@ -1,0 +1,45 @@
+#include <cmath>
+
+#include "model/effects/declarations.h"
+
+namespace model::effects {
+
+namespace {
+
+/// Coarse counters: the outputs are rounded to these steps in place of the profile's resolution. With `intensity_bits`
+/// the intensity has 2^bits levels up to the full scale.
+class Quantisation final : public Effect {
+ public:
+  explicit Quantisation(const EffectParameters& parameters) : parameters_(parameters) {}
+
+  void prepare(ChainSettings& settings, const Environment&) const override {
+    DetectionStage& stage = settings.detection;
+    stage.range_resolution_m = parameters_.numberOr("range_step_m", stage.range_resolution_m);
+    stage.epw_resolution_m = parameters_.numberOr("epw_step_m", stage.epw_resolution_m);
+    if (const auto bits = parameters_.number("intensity_bits")) {
+      const double full_scale_nw = parameters_.numberOr("intensity_full_scale_nw", 1e5);
+      stage.intensity_resolution_nw = full_scale_nw / (std::exp2(std::round(*bits)) - 1.0);
+    }
+  }
+
+ private:
+  EffectParameters parameters_;
+};
+
+}  // namespace
+
+EffectEntry quantisation() {
+  return {.info = {.name = "quantisation",
+                   .title = "Quantisation of the outputs",
+                   .stage = Stage::kPreProcessing,
+                   .percollect = {"70", "71", "144"},
+                   .parameters = {{"range_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the range", true, 0.1},
+                                  {"epw_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the echo pulse width", true, 0.2},
+                                  {"intensity_bits", "", 1.0, 24.0, std::nullopt, "Bits of the intensity", false, 8.0},
+                                  {"intensity_full_scale_nw", "nW", 1.0, 1e9, 1e5, "Intensity of the highest level", true, 1e5}},
+                   .fitted = {"range_step_m"},
+                   .source = "Widrow & Kollár 2008, Quantization Noise, ch. 4"},
+          .make = makeFrom<Quantisation>};
+}
+
+}  // namespace model::effects

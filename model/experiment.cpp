@@ -1,0 +1,285 @@
+#include "model/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "core/text.h"
+
+namespace model {
+
+using nlohmann::json;
+
+namespace {
+
+Measurand readMeasurand(core::JsonObject& object) {
+  Measurand measurand;
+  measurand.name = object.text("name");
+  measurand.column = object.text("column");
+  measurand.unit = object.textOr("unit", "");
+  measurand.scale = object.choiceOr("scale", {"nominal", "ordinal", "interval", "ratio"}, "ratio");
+  measurand.resolution = object.number("resolution", {.min = 0.0, .open_min = true});
+  return measurand;
+}
+
+Environment readEnvironment(core::JsonObject object) {
+  Environment environment;
+  environment.temperature_degC = object.optionalNumber("temperature_degC", {.min = -273.15, .max = 200.0});
+  environment.visibility_m = object.optionalNumber("visibility_m", {.min = 0.0, .open_min = true});
+  environment.rain_rate_mm_h = object.optionalNumber("rain_rate_mm_h", {.min = 0.0});
+  environment.background_irradiance_w_m2_nm = object.optionalNumber("background_irradiance_w_m2_nm", {.min = 0.0});
+  object.finish();
+  return environment;
+}
+
+Epistemic readEpistemic(core::JsonObject& object) {
+  Epistemic epistemic;
+  epistemic.path = object.text("path");
+  const auto interval = object.numbers("offset_interval", 2);
+  epistemic.low = interval[0];
+  epistemic.high = interval[1];
+  if (epistemic.low > epistemic.high) {
+    object.fail("offset_interval", "has its ends in the wrong order.", "Write [low, high].");
+  }
+  return epistemic;
+}
+
+Role readRole(core::JsonObject& object) {
+  const std::string role = object.choiceOr("role", {"calibration", "validation", "prediction"}, "validation");
+  if (role == "calibration") return Role::kCalibration;
+  return role == "prediction" ? Role::kPrediction : Role::kValidation;
+}
+
+Sample readSample(core::JsonObject& object, const Experiment& experiment) {
+  Sample sample;
+  sample.id = object.text("id");
+  sample.role = readRole(object);
+  if (object.has("parameters")) {
+    core::JsonObject parameters = object.object("parameters");
+    for (const std::string& key : parameters.keys()) sample.parameters[key] = parameters.number(key);
+  }
+  sample.patch = object.has("patch") ? object.raw("patch") : json::array();
+  object.eachObject("epistemic", [&](core::JsonObject& item) { sample.epistemic.push_back(readEpistemic(item)); });
+  if (sample.epistemic.size() > 8) {
+    object.fail("epistemic", fmt::format("has {} quantities; 2^{} corners would have to be simulated.",
+                sample.epistemic.size(), sample.epistemic.size()), "Keep at most 8 that matter.");
+  }
+  sample.frames = static_cast<int>(object.integer("frames", {.min = 1, .max = 10'000'000}));
+  if (object.has("measurements")) sample.measurements = experiment.folder() / object.text("measurements");
+  sample.setup = object.textOr("setup", sample.id);
+  if (object.has("beams")) sample.beams = experiment.folder() / object.text("beams");
+  if (!experiment.sensors.empty()) {
+    sample.sensor = object.choice("sensor", experiment.sensors);
+  } else {
+    sample.sensor = object.textOr("sensor", "");
+  }
+  return sample;
+}
+
+/// The experiment's JSON with the sample's patch applied.
+json patched(const Experiment& experiment, const Sample& sample) {
+  try {
+    return experiment.json.patch(sample.patch);
+  } catch (const json::exception& error) {
+    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
+                           std::string("cannot be applied: ") + error.what() + ".",
+                           "Check op, path and value of each step (RFC 6902).");
+  }
+}
+
+void applyOffsets(json& value, const Experiment& experiment, const Sample& sample, const EpistemicOffsets& offsets) {
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const std::string& path = sample.epistemic[i].path;
+    const core::Place place{.file = experiment.file, .item = "sample '" + sample.id + "', epistemic " + path};
+    try {
+      json& target = value.at(json::json_pointer(path));
+      if (!target.is_number()) throw core::InputError(place, "does not point to a number.", "Point to the number itself.");
+      target = target.get<double>() + offsets[i];
+    } catch (const json::exception& error) {
+      throw core::InputError(place, std::string("does not lead anywhere: ") + error.what() + ".",
+                             "Check the JSON Pointer (RFC 6901).");
+    }
+  }
+}
+
+Situation readSituation(core::JsonObject& object) {
+  Situation situation;
+  situation.scene = readScene(object);
+  if (object.has("environment")) situation.environment = readEnvironment(object.object("environment"));
+  return situation;
+}
+
+void readSensors(core::JsonObject& object, Experiment& experiment) {
+  if (object.has("sensors")) {
+    core::JsonObject sensors = object.object("sensors");
+    for (const std::string& name : sensors.keys()) {
+      (void)resolveSensorProfile(sensors.raw(name), experiment.file, "/sensors/" + name);
+      experiment.sensors.push_back(name);
+    }
+    if (object.has("sensor")) object.fail("sensor", "stands beside /sensors.", "Keep one of the two.");
+  } else {
+    (void)resolveSensorProfile(object.raw("sensor"), experiment.file, "/sensor");
+  }
+}
+
+void readGates(core::JsonObject& object, Experiment& experiment, const Scene& scene) {
+  object.eachObject("gates", [&](core::JsonObject& item) {
+    Gate gate{item.text("id"), item.text("object"), item.numberOr("margin_m", 0.0, {.min = 0.0})};
+    const bool known = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                   [&](const SceneObject& o) { return o.id == gate.object; });
+    if (!known) item.fail("object", "'" + gate.object + "' is not in the scene.", "Name the id of a scene object.");
+    experiment.gates.push_back(gate);
+  });
+}
+
+}  // namespace
+
+std::string toString(Role role) {
+  switch (role) {
+    case Role::kCalibration: return "calibration";
+    case Role::kValidation: return "validation";
+    case Role::kPrediction: return "prediction";
+  }
+  return "";
+}
+
+const Measurand& Experiment::measurand(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Measurand& candidate : measurands) {
+    if (candidate.name == name) return candidate;
+    known.push_back(candidate.name);
+  }
+  const std::string nearest = core::nearestName(name, known);
+  throw core::InputError({.file = file, .item = "/measurands"}, "has no measurand '" + name + "'.",
+                         nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
+}
+
+std::size_t Experiment::sampleIndex(const std::string& sample_id) const {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].id == sample_id) return i;
+    known.push_back(samples[i].id);
+  }
+  const std::string nearest = core::nearestName(sample_id, known);
+  throw core::InputError({.file = file, .item = "/samples"}, "has no sample '" + sample_id + "'.",
+                         nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
+}
+
+bool Experiment::synthetic() const { return core::lowerCase(source).find("synthetic") != std::string::npos; }
+
+Experiment parseExperiment(json value, const std::filesystem::path& file) {
+  Experiment experiment;
+  experiment.file = file;
+  experiment.json = std::move(value);
+  core::JsonObject object(experiment.json, file);
+  object.expectFormat("fidelis-experiment", 1);
+  experiment.id = object.text("id");
+  experiment.title = object.textOr("title", experiment.id);
+  experiment.source = object.textOr("source", "");
+  readSensors(object, experiment);
+  object.eachObject("measurands", [&](core::JsonObject& item) { experiment.measurands.push_back(readMeasurand(item)); });
+  if (experiment.measurands.empty()) object.fail("measurands", "is missing or empty.", "Name at least one measurand.");
+  if (object.has("columns")) {
+    core::JsonObject columns = object.object("columns");
+    for (const std::string& key : columns.keys()) experiment.columns[key] = columns.text(key);
+  }
+  const Situation base = readSituation(object);
+  readGates(object, experiment, base.scene);
+  std::set<std::string> ids;
+  object.eachObject("samples", [&](core::JsonObject& item) {
+    experiment.samples.push_back(readSample(item, experiment));
+    if (!ids.insert(experiment.samples.back().id).second) {
+      item.fail("id", "'" + experiment.samples.back().id + "' stands twice.", "Give every sample its own id.");
+    }
+  });
+  if (experiment.samples.empty()) object.fail("samples", "is missing or empty.", "Give at least one sample.");
+  object.finish();
+  for (const Sample& sample : experiment.samples) {
+    (void)situationOf(experiment, sample, EpistemicOffsets(sample.epistemic.size(), 0.0));
+  }
+  return experiment;
+}
+
+Experiment readExperiment(const std::filesystem::path& path) {
+  const auto file = std::filesystem::is_directory(path) ? path / "experiment.json" : path;
+  return parseExperiment(core::readJson(file), file);
+}
+
+Situation situationOf(const Experiment& experiment, const Sample& sample, const EpistemicOffsets& offsets) {
+  json value = patched(experiment, sample);
+  applyOffsets(value, experiment, sample, offsets);
+  core::JsonObject object(value, experiment.file);
+  return readSituation(object);
+}
+
+std::vector<EpistemicOffsets> epistemicCorners(const Sample& sample) {
+  const std::size_t count = sample.epistemic.size();
+  std::vector<EpistemicOffsets> corners{EpistemicOffsets(count, 0.0)};
+  if (count == 0) return corners;
+  for (std::size_t bits = 0; bits < (std::size_t{1} << count); ++bits) {
+    EpistemicOffsets corner(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      corner[i] = (bits >> i) & 1 ? sample.epistemic[i].high : sample.epistemic[i].low;
+    }
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
+core::Detections readMeasurements(const Experiment& experiment, const Sample& sample) {
+  if (sample.measurements.empty()) {
+    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "'"}, "names no measurements.",
+                           "Add the key 'measurements'.");
+  }
+  return core::readDetections(sample.measurements, experiment.columns);
+}
+
+core::Detections insideGate(const core::Detections& detections, const Situation& situation, const Gate& gate) {
+  const auto object = std::find_if(situation.scene.objects.begin(), situation.scene.objects.end(),
+                                   [&](const SceneObject& o) { return o.id == gate.object; });
+  core::Detections inside;
+  if (object == situation.scene.objects.end()) return inside;
+  const Vector3 half = halfExtents(object->shape);
+  const auto within = [&](std::size_t i) {
+    const double ce = std::cos(detections.elevation_rad[i]);
+    const Vector3 local = object->pose.toLocal({detections.range_m[i] * ce * std::cos(detections.azimuth_rad[i]),
+                                                detections.range_m[i] * ce * std::sin(detections.azimuth_rad[i]),
+                                                detections.range_m[i] * std::sin(detections.elevation_rad[i])});
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::abs(local[k]) > half[k] + gate.margin_m) return false;
+    }
+    return true;
+  };
+  const auto copy = [](auto& to, const auto& from, std::size_t i) {
+    if (!from.empty()) to.push_back(from[i]);
+  };
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    if (!detections.hasDirections() || !within(i)) continue;
+    copy(inside.frame, detections.frame, i);
+    copy(inside.time_s, detections.time_s, i);
+    copy(inside.layer, detections.layer, i);
+    copy(inside.azimuth_rad, detections.azimuth_rad, i);
+    copy(inside.elevation_rad, detections.elevation_rad, i);
+    copy(inside.echo, detections.echo, i);
+    copy(inside.range_m, detections.range_m, i);
+    copy(inside.epw_m, detections.epw_m, i);
+    copy(inside.intensity, detections.intensity, i);
+  }
+  return inside;
+}
+
+std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const Sample& sample) {
+  std::vector<std::filesystem::path> files{experiment.file};
+  if (!sample.measurements.empty()) files.push_back(sample.measurements);
+  if (!sample.beams.empty()) files.push_back(sample.beams);
+  const Situation situation = situationOf(experiment, sample);
+  for (const SceneObject& object : situation.scene.objects) {
+    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) files.push_back(mesh->file);
+  }
+  return files;
+}
+
+}  // namespace model

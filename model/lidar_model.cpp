@@ -1,0 +1,103 @@
+#include "model/lidar_model.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/text.h"
+
+namespace model {
+
+namespace {
+
+std::vector<std::string> effectNames() {
+  std::vector<std::string> names;
+  for (const EffectEntry& entry : allEffects()) names.push_back(entry.info.name);
+  return names;
+}
+
+void readEffects(core::JsonObject effects, LidarModel& model) {
+  for (const std::string& name : effects.keys()) {
+    if (!findEffect(name)) {
+      const std::string nearest = core::nearestName(name, effectNames());
+      effects.fail(name, "is not an effect of this library.",
+                   nearest.empty() ? "'fidelis effects' lists them." : "Did you mean '" + nearest + "'?");
+    }
+  }
+  for (const EffectEntry& entry : allEffects()) {  // the order of the chain, whatever the order in the file
+    if (!effects.has(entry.info.name)) continue;
+    model.effects.push_back({entry.info.name, readEffectParameters(entry, effects.object(entry.info.name))});
+  }
+}
+
+void readSensors(core::JsonObject& object, LidarModel& model) {
+  if (!object.has("sensors")) {
+    model.sensors[""] = resolveSensorProfile(object.raw("sensor"), model.file, "/sensor");
+    return;
+  }
+  core::JsonObject sensors = object.object("sensors");
+  for (const std::string& name : sensors.keys()) {
+    model.sensors[name] = resolveSensorProfile(sensors.raw(name), model.file, "/sensors/" + name);
+  }
+}
+
+}  // namespace
+
+bool LidarModel::has(const std::string& effect) const {
+  return std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& e) { return e.name == effect; });
+}
+
+const SensorProfile& LidarModel::sensor(const std::string& name) const {
+  const auto found = sensors.find(name);
+  if (found != sensors.end()) return found->second;
+  if (sensors.size() == 1 && (name.empty() || sensors.begin()->first.empty())) return sensors.begin()->second;
+  throw core::InputError({.file = file, .item = "/sensors"}, "has no sensor '" + name + "'.",
+                         "An experiment with several sensors needs a model with sensors of the same names.");
+}
+
+LidarModel parseModel(nlohmann::json value, const std::filesystem::path& file) {
+  LidarModel model;
+  model.file = file;
+  model.json = std::move(value);
+  core::JsonObject object(model.json, file);
+  object.expectFormat("fidelis-model", 1);
+  model.id = object.text("id");
+  (void)object.textOr("title", "");
+  readSensors(object, model);
+  if (object.has("rays_per_beam")) {
+    const auto rays = object.numbers("rays_per_beam", 2);
+    for (const double count : rays) {
+      if (count < 1 || count > 1000 || count != static_cast<int>(count)) {
+        object.fail("rays_per_beam", "must be two whole numbers from 1 to 1000.", "Write [horizontal, vertical].");
+      }
+    }
+    model.rays_horizontal = static_cast<int>(rays[0]);
+    model.rays_vertical = static_cast<int>(rays[1]);
+  }
+  model.seed = static_cast<std::uint64_t>(object.integerOr("seed", 1, {.min = 0}));
+  if (object.has("effects")) readEffects(object.object("effects"), model);
+  object.finish();
+  return model;
+}
+
+LidarModel readModel(const std::filesystem::path& file) { return parseModel(core::readJson(file), file); }
+
+LidarModel withEffect(const LidarModel& model, const std::string& name, const EffectParameters& parameters) {
+  LidarModel changed = model;
+  nlohmann::json values = nlohmann::json::object();
+  for (const auto& [key, number] : parameters.numbers) values[key] = number;
+  for (const auto& [key, text] : parameters.texts) values[key] = text;
+  changed.json["effects"][name] = values;
+  changed.effects.clear();
+  for (const EffectEntry& entry : allEffects()) {
+    if (entry.info.name == name) {
+      changed.effects.push_back({name, parameters});
+      continue;
+    }
+    const auto found = std::find_if(model.effects.begin(), model.effects.end(),
+                                    [&](const ActiveEffect& e) { return e.name == entry.info.name; });
+    if (found != model.effects.end()) changed.effects.push_back(*found);
+  }
+  return changed;
+}
+
+}  // namespace model

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/effect.h"
+
+namespace model {
+
+/// One effect that is switched on.
+struct ActiveEffect {
+  std::string name;
+  EffectParameters parameters;
+};
+
+/// The simulation model under test (formats.md section 4): sensor, sampling and effects. An effect not listed is off.
+struct LidarModel {
+  std::filesystem::path file;
+  std::string id;
+  std::map<std::string, SensorProfile> sensors;  ///< by name; "" if there is one
+  int rays_horizontal = 1;
+  int rays_vertical = 1;
+  std::uint64_t seed = 1;
+  std::vector<ActiveEffect> effects;  ///< in the order of the signal chain
+  nlohmann::json json;                ///< as read
+
+  [[nodiscard]] bool has(const std::string& effect) const;
+  /// Throws InputError if the model has no sensor of that name.
+  [[nodiscard]] const SensorProfile& sensor(const std::string& name) const;
+};
+
+[[nodiscard]] LidarModel readModel(const std::filesystem::path& file);
+[[nodiscard]] LidarModel parseModel(nlohmann::json json, const std::filesystem::path& file);
+
+/// The model with one more effect (or with other parameters of one that it has); numbers only.
+[[nodiscard]] LidarModel withEffect(const LidarModel& model, const std::string& name, const EffectParameters& parameters);
+
+}  // namespace model

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace model {
+
+/// One Gaussian pulse in the received signal.
+struct Pulse {
+  double range_m = 0.0;  ///< c/2 · time of its peak
+  double power_w = 0.0;
+};
+
+/// A stretch of the waveform above a level, on the range axis (c/2 · time).
+struct Stretch {
+  double rise_m = 0.0;
+  double fall_m = 0.0;
+  double peak_m = 0.0;
+  double peak_w = 0.0;  ///< of the noise-free signal
+};
+
+/// A part of the received waveform s = Σ P_i g(r − r_i) that stands alone: outside it the signal is below the lowest
+/// level that anybody will ask for. g is Gaussian with unit peak and the given full width at half maximum.
+///
+/// The signal is sampled so finely that the parabola through three neighbouring samples of log s, which is exact for
+/// one Gaussian, gives crossings and peaks to well below a millimetre.
+class WaveformPart {
+ public:
+  WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double lowest_level_w);
+
+  /// All stretches above `level_w`, in order of range; `level_w` must not be below the lowest level.
+  void stretchesAbove(double level_w, std::vector<Stretch>& out) const;
+  [[nodiscard]] double peak_w() const noexcept { return highest_w_; }
+  [[nodiscard]] double lowest_level_w() const noexcept { return lowest_level_w_; }
+
+ private:
+  [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
+  [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
+
+  double start_m_ = 0.0;
+  double step_m_ = 0.0;
+  double lowest_level_w_ = 0.0;
+  double highest_w_ = 0.0;
+  std::vector<double> log_signal_;
+};
+
+/// Splits the pulses of one beam into parts that do not touch above `lowest_level_w`. Parts that stay below it are
+/// left out. `pulses` are sorted by range and merged where they lie closer than a hundredth of the width.
+[[nodiscard]] std::vector<WaveformPart> partsOf(std::vector<Pulse>& pulses, double fwhm_m, double lowest_level_w);
+
+}  // namespace model
