@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace metrics {
+
+/// Empirical distribution function: the step function that a sample of values makes.
+///
+///   p 1 |        ____          values()[i]   where it steps, ascending, distinct
+///       |    ___|              levels()[i]   its height after the step, the last is 1
+///     0 |___|
+///        ------------- x  [unit of the measurand]
+///
+/// Levels are correctly rounded quotients i/n. Equal fractions i/n = j/m are therefore equal doubles, and levels of two
+/// sample sizes merge without slivers, as if compared by integer cross products.
+/// Immutable; safe to share.
+class Edf {
+ public:
+  /// From a sample in any order; ties are welcome. Throws InputError if it is empty or a value is not finite.
+  explicit Edf(std::vector<double> values);
+
+  /// From a weighted sample: weights >= 0, normalised to sum 1; values of weight 0 are dropped. Throws InputError if a
+  /// number is not finite, a weight is negative, none is positive or the lengths differ.
+  static Edf weighted(std::span<const double> values, std::span<const double> weights);
+
+  /// From the table of a CDF: its height at and after each value. Values ascend, heights do not fall and end at 1.
+  /// Throws InputError otherwise. Such a function has no sample: n() is 0.
+  static Edf fromSteps(std::span<const double> values, std::span<const double> levels);
+
+  /// Size of the sample; 0 if there is none (edge of an envelope, table).
+  [[nodiscard]] std::size_t n() const noexcept { return n_; }
+  /// Kish's size of a weighted sample, (sum w)^2 / sum w^2; n() if unweighted. Used where a formula needs n.
+  [[nodiscard]] double effectiveN() const noexcept { return effective_n_; }
+
+  [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
+  [[nodiscard]] std::span<const double> levels() const noexcept { return levels_; }
+  [[nodiscard]] double min() const noexcept { return values_.front(); }
+  [[nodiscard]] double max() const noexcept { return values_.back(); }
+
+  /// Share of the sample that is <= x.
+  [[nodiscard]] double cdf(double x) const noexcept;
+  /// Left-continuous inverse: smallest value with cdf(value) >= p; min() for p <= 0. Never interpolates.
+  [[nodiscard]] double quantile(double p) const noexcept;
+
+  [[nodiscard]] double mean() const noexcept;
+  /// The middle value; halfway between the two middle ones of an even sample.
+  [[nodiscard]] double median() const noexcept;
+  /// With n - 1 in the denominator (effectiveN() - 1 if weighted). NaN for fewer than two values.
+  [[nodiscard]] double standardDeviation() const noexcept;
+
+  /// Every value moved by `offset` along x. [unit of x]
+  [[nodiscard]] Edf shifted(double offset) const;
+
+  bool operator==(const Edf& other) const noexcept {
+    return values_ == other.values_ && levels_ == other.levels_;  // the same function, whatever it was made from
+  }
+
+ private:
+  Edf() = default;
+  friend class EdfBuilder;
+
+  std::vector<double> values_;
+  std::vector<double> levels_;
+  std::size_t n_ = 0;
+  double effective_n_ = 0.0;
+};
+
+/// Builds a step function from left to right; equal neighbours become one step. For code that walks levels in order.
+class EdfBuilder {
+ public:
+  void reserve(std::size_t steps);
+  /// The function rises to `level` at `value`. Neither may fall from one call to the next.
+  void step(double value, double level);
+  [[nodiscard]] Edf build() &&;
+
+ private:
+  Edf edf_;
+};
+
+}  // namespace metrics
