@@ -1,6 +1,7 @@
 #include "specs/items.h"
 
 #include <array>
+#include <cassert>
 
 namespace specs {
 
@@ -23,11 +24,16 @@ std::optional<Enum> find(const std::array<std::string_view, n>& names, std::stri
 
 bool mayLink(Kind from, Kind to) {
   switch (from) {
-    case Kind::CepraRow: return to == Kind::Requirement;
-    case Kind::Requirement: return to == Kind::Requirement || to == Kind::AcceptanceTest;
-    case Kind::AcceptanceTest: return to == Kind::ExperimentData || to == Kind::ReferenceData;
-    case Kind::ExperimentData: return to == Kind::ReferenceData;
-    case Kind::ReferenceData: return false;
+    case Kind::CepraRow:
+      return to == Kind::Requirement;
+    case Kind::Requirement:
+      return to == Kind::Requirement || to == Kind::AcceptanceTest;
+    case Kind::AcceptanceTest:
+      return to == Kind::ExperimentData || to == Kind::ReferenceData;
+    case Kind::ExperimentData:
+      return to == Kind::ReferenceData;
+    case Kind::ReferenceData:
+      return false;
   }
   return false;
 }
@@ -35,6 +41,12 @@ bool mayLink(Kind from, Kind to) {
 std::string_view name(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 std::string_view name(Status status) { return kStatuses[static_cast<std::size_t>(status)]; }
 std::string_view name(Level level) { return kLevels[static_cast<std::size_t>(level)]; }
+Kind kindNamed(std::string_view name) {
+  const auto kind = find<Kind>(kKinds, name);
+  assert(kind);
+  return kind.value_or(Kind::Requirement);
+}
+
 std::optional<Status> statusOf(std::string_view name) { return find<Status>(kStatuses, name); }
 std::optional<Level> levelOf(std::string_view name) { return find<Level>(kLevels, name); }
 

@@ -22,8 +22,8 @@ enum class Level { General, ObjectModel, DetectionModel };
 
 /// What all kinds have in common.
 struct Item {
-  std::string uid;        ///< stable for ever, never shown; "" until the store gives one
-  std::string id;         ///< shown, unique in the project, may be changed: `<Phenomenon>_<Causes>_<No.>`
+  std::string uid;  ///< stable for ever, never shown; "" until the store gives one
+  std::string id;   ///< shown, unique in the project, may be changed: `<Phenomenon>_<Causes>_<No.>`
   std::string title;
   std::string text;       ///< what must hold
   std::string rationale;  ///< why
@@ -55,9 +55,9 @@ struct AcceptanceTest : Item {
 
 /// What an experiment must deliver so that a test can be decided.
 struct ExperimentData : Item {
-  std::string experiment;   ///< folder of the package that delivers it, relative to the project file; "" if not measured
-  std::string device;       ///< measurement device: the sensor under test
-  std::string conditions;   ///< scene, environment and ranges of the parameters
+  std::string experiment;  ///< folder of the package that delivers it, relative to the project file; "" if not measured
+  std::string device;      ///< measurement device: the sensor under test
+  std::string conditions;  ///< scene, environment and ranges of the parameters
   std::string repetitions;  ///< set-ups and frames that are needed
   bool operator==(const ExperimentData&) const = default;
 };
@@ -86,6 +86,7 @@ struct Link {
 [[nodiscard]] std::string_view name(Kind kind);
 [[nodiscard]] std::string_view name(Status status);
 [[nodiscard]] std::string_view name(Level level);
+[[nodiscard]] Kind kindNamed(std::string_view name);  ///< the name must be one of name(Kind)
 [[nodiscard]] std::optional<Status> statusOf(std::string_view name);
 [[nodiscard]] std::optional<Level> levelOf(std::string_view name);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -8,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "cepra/table.h"
+#include "percollect/graph.h"
 #include "specs/items.h"
 #include "specs/results.h"
 
@@ -36,6 +39,28 @@ struct ItemReference {
   bool operator==(const ItemReference&) const = default;
 };
 
+/// Where the graph of a project comes from.
+struct GraphImport {
+  std::string tree;
+  std::string source;  ///< file or folder that was read
+  std::string sha256;
+  std::string who;
+  std::string when;
+};
+
+/// Everything that people wrote down, as one value: what is listed, checked, traced and printed.
+struct Specification {
+  std::string project;  ///< name of the project: the file's, without its ending
+  std::vector<Requirement> requirements;
+  std::vector<AcceptanceTest> tests;
+  std::vector<ExperimentData> experiment_data;
+  std::vector<ReferenceData> reference_data;
+  std::vector<Link> links;  ///< by from, then to
+  cepra::Table cepra;
+  std::optional<GraphImport> graph;
+  std::map<std::string, TestVerdict> verdicts;  ///< the newest of each test, by shown id
+};
+
 enum class Access { ReadWrite, ReadOnly };
 
 /// A project in one SQLite file (tables: schema.sql). WAL, foreign keys, a busy timeout; every change is one
@@ -50,7 +75,9 @@ enum class Access { ReadWrite, ReadOnly };
 ///   store.update(requirement, {.who = "eve", .when = now});
 class ProjectStore {
  public:
-  /// Refuses a file that exists.
+  struct Connection;  ///< connection.h: not for others
+
+  /// Refuses a file that exists. The name of the file is the name of the project.
   static ProjectStore create(const std::filesystem::path& file);
   /// Migrates an older file (unless ReadOnly: then it is read through the migrated copy in memory). Refuses a file that
   /// is absent, no project, damaged, or written by a newer program.
@@ -64,6 +91,8 @@ class ProjectStore {
   /// Where the relative paths of tests begin.
   [[nodiscard]] std::filesystem::path folder() const;
   [[nodiscard]] bool readOnly() const noexcept;
+  /// How long a write waits for another process before it gives up. Default: 5 s.
+  void setPatience(std::chrono::milliseconds patience);
   /// Changes whenever another connection has written: time to read again.
   [[nodiscard]] int dataVersion() const;
 
@@ -76,8 +105,7 @@ class ProjectStore {
   /// itself. Refuses a shown id that is taken or malformed.
   template <class T>
   T add(const T& item, const Signature& by);
-  /// The item with the same uid becomes `item`; its links stay. Links to what follows from it become suspect if its
-  /// text, status or (test) decision changed.
+  /// The item with the same uid becomes `item`; its links stay. Nothing to change: nothing is written.
   template <class T>
   void update(const T& item, const Signature& by);
   /// Of any kind but a CEPRA row. Its links go with it; its history and verdicts stay.
@@ -93,6 +121,16 @@ class ProjectStore {
   void link(const Link& link, const Signature& by);
   void unlink(const std::string& from, const std::string& to, const Signature& by);
 
+  /// The imported graph; empty if none was. Saving replaces it, whatever release it was of; the CEPRA table stays.
+  void saveGraph(const percollect::Graph& graph, const Signature& by);
+  [[nodiscard]] std::optional<percollect::Graph> graph() const;
+  [[nodiscard]] std::optional<GraphImport> graphImport() const;
+
+  /// The relevance table; without rows if none was saved. Saving takes the whole table; rows are told apart by their
+  /// keys. Refuses to drop a row from which a requirement follows (cepra::merge keeps such rows as gone).
+  void saveCepra(const cepra::Table& table, const Signature& by);
+  [[nodiscard]] cepra::Table cepra() const;
+
   /// Returns the id of the run.
   std::string storeRun(const TestRun& run);
   /// Newest first; at most `count` (0: all). Without `evaluation` texts: they are large, see findRun.
@@ -101,11 +139,13 @@ class ProjectStore {
   /// The newest verdict of every test that has one, by shown id.
   [[nodiscard]] std::map<std::string, TestVerdict> latestVerdicts() const;
 
+  /// All of it, read at one moment.
+  [[nodiscard]] Specification specification() const;
+
   /// Makes everything that `changes` does one transaction: one user action. If it throws, nothing has happened.
   void inOneAction(const std::function<void()>& changes);
 
  private:
-  struct Connection;
   explicit ProjectStore(std::unique_ptr<Connection> connection);
   std::unique_ptr<Connection> connection_;
 };

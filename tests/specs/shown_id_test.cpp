@@ -1,8 +1,7 @@
 #include "specs/shown_id.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 namespace specs {
 namespace {
@@ -10,9 +9,10 @@ namespace {
 TEST(ShownId, IsPhenomenonCausesAndNumber) {
   EXPECT_TRUE(isShownId("FalseNegativeDetection_AttenuationByAerosols_1"));
   EXPECT_TRUE(isShownId("RangeError_Quantisation_LeadingEdge_12"));
-  for (const char* wrong : {"", "RangeError", "RangeError_1", "RangeError__1", "rangeError_Offset_1", "RangeError_Offset_0",
-                            "RangeError_Offset_01", "RangeError_Offset_x", "Range Error_Offset_1", "RangeError_Offset_",
-                            "_RangeError_Offset_1", "RangeError_Öffset_1", "RangeError_Offset_12345678901"}) {
+  for (const char* wrong :
+       {"", "RangeError", "RangeError_1", "RangeError__1", "rangeError_Offset_1", "RangeError_Offset_0",
+        "RangeError_Offset_01", "RangeError_Offset_x", "Range Error_Offset_1", "RangeError_Offset_",
+        "_RangeError_Offset_1", "RangeError_Öffset_1", "RangeError_Offset_12345678901"}) {
     EXPECT_FALSE(isShownId(wrong)) << wrong;
   }
 }
