@@ -35,6 +35,9 @@ class PBox {
   [[nodiscard]] const Edf& left() const noexcept { return left_; }
   [[nodiscard]] const Edf& right() const noexcept { return right_ ? *right_ : left_; }
 
+  /// Made from one distribution: no epistemic uncertainty, both edges are the same object.
+  [[nodiscard]] bool isSingleDistribution() const noexcept { return !right_; }
+
   /// Area between the edges: the mean width. 0 for a single distribution. [unit of x]
   [[nodiscard]] double area() const noexcept;
   /// Width at level p: right minus left quantile. [unit of x]
