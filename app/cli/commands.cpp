@@ -2,6 +2,7 @@
 
 namespace app {
 
+void addMetricCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
 
 // Each command adds itself: its options, its help, and a callback that calls one library function.
@@ -9,6 +10,7 @@ void addSimulateCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
+      addMetricCommand,
       addSimulateCommand,
   };
   for (const AddCommand add : kCommands) {
