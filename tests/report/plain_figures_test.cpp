@@ -1,0 +1,58 @@
+#include <cmath>
+#include <gmock/gmock.h>
+
+#include "report/bar_figure.h"
+#include "report/map_figure.h"
+#include "tests/report/svg_reader.h"
+
+namespace report {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(DivergingColour, IsBlueBelowWhiteAtAndRedAboveZero) {
+  EXPECT_EQ(divergingColour(0.0), "#f7f7f7");
+  EXPECT_EQ(divergingColour(-1.0), "#2166ac");
+  EXPECT_EQ(divergingColour(1.0), "#b2182b");
+  EXPECT_EQ(divergingColour(7.0), divergingColour(1.0));
+}
+
+TEST(MapFigure, ColoursEachCellByItsValueAndLeavesUnknownOnesGrey) {
+  MapFigure map{.title = "EPW bias",
+                .x_name = "azimuth in °",
+                .y_name = "layer",
+                .value_name = "in m",
+                .cell_width = 2.0,
+                .full_scale = 1.0};
+  map.cells = {{0.0, 0.0, 1.0}, {2.0, 0.0, 0.0}, {4.0, 1.0, std::nan("")}};
+  const std::string svg = mapFigure(map);
+  report_test::expectSvgTiny(svg);
+  EXPECT_THAT(svg, HasSubstr(divergingColour(1.0)));
+  EXPECT_THAT(svg, HasSubstr("#d0d4d9"));
+  EXPECT_THAT(svg, HasSubstr("azimuth in °"));
+}
+
+TEST(MapFigure, WithoutCellsSaysSo) {
+  const std::string svg = mapFigure({.title = "EPW bias"});
+  report_test::expectSvgTiny(svg);
+  EXPECT_THAT(svg, HasSubstr("no cell has a value"));
+}
+
+TEST(BarFigure, DrawsBarsIntervalsAndNumbersInTheGivenOrder) {
+  BarFigure bars{.title = "Causes", .value_name = "shrink"};
+  bars.bars = {{"attenuation", 0.93, Range{0.90, 0.95}, true}, {"range <walk>", -0.12, std::nullopt, false}};
+  const std::string svg = barFigure(bars);
+  report_test::expectSvgTiny(svg);
+  EXPECT_LT(svg.find("attenuation"), svg.find("range &lt;walk&gt;"));
+  EXPECT_THAT(svg, HasSubstr(">0.93<"));
+}
+
+TEST(BarFigure, SurvivesNoBarsAndNumbersThatAreNone) {
+  report_test::expectSvgTiny(barFigure({.title = "none"}));
+  BarFigure bars{.title = "Causes"};
+  bars.bars = {{"a", std::numeric_limits<double>::infinity(), std::nullopt, false}, {"b", 0.0, std::nullopt, false}};
+  report_test::expectSvgTiny(barFigure(bars));
+}
+
+}  // namespace
+}  // namespace report
