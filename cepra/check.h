@@ -27,9 +27,9 @@ struct Finding {
 /// "file:line, row r0123456789ab, column impact: warning: text remedy" on one line.
 [[nodiscard]] std::string toString(const Finding& finding);
 
-/// Completeness and sense of a table, row by row: a score out of 1 ... 10 (error), doubled keys (error); a score without
-/// rationale or expert, a rationale without score, only one of occurrence and impact scored, suspect rows (warnings); an
-/// effect without any cause, both scores by the same expert (notes).
+/// Completeness and sense of a table, row by row: a score out of 1 ... 10 (error), doubled keys (error); a score
+/// without rationale or expert, a rationale without score, only one of occurrence and impact scored, suspect rows
+/// (warnings); an effect without any cause, both scores by the same expert (notes).
 [[nodiscard]] std::vector<Finding> check(const Table& table);
 
 }  // namespace cepra

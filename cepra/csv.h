@@ -28,9 +28,9 @@ struct CsvImport {
 };
 
 /// Takes scores, rationales, experts, suspect and notes from the file; rows are found by key, columns by name, so both
-/// may be reordered, and rows or columns left out keep what the table has. Comma, semicolon or tab separated, LF or CRLF.
-/// All or nothing: throws InputError that names the cell ("row 7, column occurrence (cell G7)") for a score that is no
-/// whole number from 1 to 10, an unknown, doubled or missing key, or text that is not UTF-8.
+/// may be reordered, and rows or columns left out keep what the table has. Comma, semicolon or tab separated, LF or
+/// CRLF. All or nothing: throws InputError that names the cell ("row 7, column occurrence (cell G7)") for a score that
+/// is no whole number from 1 to 10, an unknown, doubled or missing key, or text that is not UTF-8.
 [[nodiscard]] CsvImport importCsv(const Table& table, const std::filesystem::path& file);
 
 }  // namespace cepra

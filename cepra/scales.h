@@ -14,10 +14,10 @@ struct ScaleLevel {
 
 /// What the numbers 1 ... 10 mean.
 struct Scale {
-  std::string id;     ///< "occurrence" or "impact"
+  std::string id;  ///< "occurrence" or "impact"
   std::string title;
-  std::string question;  ///< what the expert is asked
-  std::string source;    ///< who worded it, after which method
+  std::string question;            ///< what the expert is asked
+  std::string source;              ///< who worded it, after which method
   std::vector<ScaleLevel> levels;  ///< ten, ascending
 
   /// The level of a value from 1 to 10.

@@ -68,10 +68,11 @@ void onRecord(int, void* run) {
 }  // namespace
 
 void eachCsvRecord(std::string_view text,
-                   const std::function<void(int, std::span<const std::string_view>)>& record) {
+                   const std::function<void(int, std::span<const std::string_view>)>& record, char delimiter) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
   csv_parser parser{};
   csv_init(&parser, CSV_REPALL_NL | CSV_APPEND_NULL);
+  csv_set_delim(&parser, static_cast<unsigned char>(delimiter));
   const std::unique_ptr<csv_parser, void (*)(csv_parser*)> guard(&parser, csv_free);
   Run run;
   run.record = &record;

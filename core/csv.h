@@ -12,9 +12,10 @@ namespace core {
 
 /// Calls `record` for every record of a CSV text (RFC 4180: comma, quotes, line breaks inside quotes; LF or CRLF; a
 /// UTF-8 byte order mark is skipped), with the line on which the record begins. Empty lines are skipped.
-/// The fields are valid during the call only.
+/// The fields are valid during the call only. `delimiter`: spreadsheets of some countries write ';'.
 void eachCsvRecord(std::string_view text,
-                   const std::function<void(int line, std::span<const std::string_view> fields)>& record);
+                   const std::function<void(int line, std::span<const std::string_view> fields)>& record,
+                   char delimiter = ',');
 
 /// A CSV file held as text: what a spreadsheet shows.
 struct CsvTable {

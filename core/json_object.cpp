@@ -16,12 +16,6 @@ using nlohmann::json;
 
 namespace {
 
-/// Line of the byte at `offset` (1-based).
-int lineAt(const std::string& text, std::size_t offset) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(std::min(offset, text.size())),
-                                         '\n'));
-}
-
 /// Refuses doubled keys, which nlohmann::json otherwise resolves silently.
 json parseWithoutDoubledKeys(const std::filesystem::path& file, const std::string& text) {
   std::vector<std::set<std::string>> keys;
@@ -55,6 +49,10 @@ json readJson(const std::filesystem::path& file) {
     if (const auto colon = what.find("syntax error"); colon != std::string::npos) what = what.substr(colon);
     throw InputError({.file = file, .line = lineAt(text, error.byte)}, "not valid JSON: " + what + ".",
                      "Mend the text there; a JSON-aware editor marks the spot.");
+  } catch (const json::out_of_range& error) {  // 1e999
+    const std::string what = error.what();
+    throw InputError({.file = file}, "not valid JSON: " + what.substr(what.find("] ") + 2) + ".",
+                     "Write a number that a double can hold.");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,5 +29,11 @@ namespace core {
 
 /// Parses the whole text as a finite or infinite number, without locale; false if it is anything else.
 [[nodiscard]] bool parseNumber(std::string_view text, double& value);
+
+/// Offset of the first byte that is not part of valid UTF-8 (overlong forms and surrogates are invalid too).
+[[nodiscard]] std::optional<std::size_t> findInvalidUtf8(std::string_view text);
+
+/// 1-based line of the byte at `offset`.
+[[nodiscard]] int lineAt(std::string_view text, std::size_t offset);
 
 }  // namespace core

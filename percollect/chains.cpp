@@ -56,8 +56,8 @@ class CountsBelow {
 /// Depth-first walk with its own stack, so that a long path cannot exhaust the program's.
 class Walk {
  public:
-  Walk(const Graph& graph, const CountsBelow& counts,
-       const std::function<bool(std::span<const std::size_t>)>& visit, std::uint64_t skip)
+  Walk(const Graph& graph, const CountsBelow& counts, const std::function<bool(std::span<const std::size_t>)>& visit,
+       std::uint64_t skip)
       : graph_(graph), counts_(counts), visit_(visit), skip_(skip) {}
 
   /// False: the visitor asked to stop.
@@ -155,9 +155,15 @@ GraphCounts countGraph(const Graph& graph) {
     counts.edges += graph.children(i).size();
     counts.leaves += graph.children(i).empty() ? 1 : 0;
     switch (graph.node(i).kind) {
-      case NodeKind::Effect: ++counts.effects; break;
-      case NodeKind::DesignParameter: ++counts.design_parameters; break;
-      case NodeKind::SystemIndependent: ++counts.system_independent; break;
+      case NodeKind::Effect:
+        ++counts.effects;
+        break;
+      case NodeKind::DesignParameter:
+        ++counts.design_parameters;
+        break;
+      case NodeKind::SystemIndependent:
+        ++counts.system_independent;
+        break;
     }
   }
   counts.longest_path = longestPath(graph);

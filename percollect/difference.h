@@ -35,7 +35,7 @@ struct NodeChange {
 };
 
 struct Difference {
-  std::vector<NodeChange> changes;            ///< removed ones first, then in the order of the new release
+  std::vector<NodeChange> changes;             ///< removed ones first, then in the order of the new release
   std::map<std::string, std::string> new_ids;  ///< old id -> new id of every node that is in both releases
 
   [[nodiscard]] bool empty() const noexcept { return changes.empty(); }

@@ -122,7 +122,7 @@ class Graph {
   std::vector<bool> reachable_;
 };
 
-/// Same tree name, same nodes in the same order with the same children, parents and phenomena. Source, hash and places
+/// Same tree name, same nodes and phenomena in the same order, same children in the same order. Source, hash and places
 /// do not count.
 [[nodiscard]] bool sameContent(const Graph& a, const Graph& b);
 

@@ -11,11 +11,12 @@ namespace percollect {
 
 struct ReadGraph {
   Graph graph;
-  std::vector<Finding> findings;  ///< in the order of the nodes
+  std::vector<Finding> findings;  ///< first what the reader met, then orphans, titles and references
 };
 
 struct ReadOptions {
-  std::string tree;  ///< name of the tree; empty: taken from the path, see treeNameFor
+  std::string tree;             ///< name of the tree; empty: taken from the path, see treeNameFor
+  bool attach_orphans = false;  ///< give orphans the parent that their placementParentId names, where that is possible
 };
 
 /// Reads a graph; the content decides about the format:
@@ -26,9 +27,9 @@ struct ReadOptions {
 ///
 /// Survived with a finding: a malformed file that no other includes, a node that includes itself, an id that is not its
 /// file's name, nodes that no phenomenon reaches, references that fit no edge, missing texts.
-/// Throws InputError with file, line, node and remedy, and returns nothing half: no such file, broken JSON, a missing or
-/// broken file that is included, a parent that does not exist, doubled ids, cycles, hrefs that leave the folder, DTDs.
-/// Source: the formats as published by PerCollECT (LidarLimbs, RadarRami; MIT).
+/// Throws InputError with file, line, node and remedy, and returns nothing half: no such file, broken JSON, a missing
+/// or broken file that is included, a parent that does not exist, doubled ids, cycles, hrefs that leave the folder,
+/// DTDs. Source: the formats as published by PerCollECT (LidarLimbs, RadarRami; MIT).
 [[nodiscard]] ReadGraph readGraph(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// A name that stays the same from release to release: "lidarlimbs" for ".../lidarlimbs-2021-xml",
