@@ -34,6 +34,7 @@ struct Run {
   const std::function<void(int, std::span<const std::string_view>)>* record = nullptr;
   int line = 1;            // line of the next record
   int record_breaks = 0;   // line breaks inside the fields of this record
+  int terminator = 0;      // of the record before
   std::exception_ptr error;
 
   void endOfRecord() {
@@ -59,8 +60,11 @@ struct Run {
 
 void onField(void* bytes, std::size_t size, void* run) { static_cast<Run*>(run)->collector.add(bytes, size); }
 
-void onRecord(int, void* run) {
+void onRecord(int terminator, void* run) {
   auto& r = *static_cast<Run*>(run);
+  const bool second_half_of_crlf = terminator == '\n' && r.terminator == '\r' && r.collector.ends.empty();
+  r.terminator = terminator;
+  if (second_half_of_crlf) return;  // one line break, though libcsv reports both characters
   r.endOfRecord();
   r.line += 1 + r.record_breaks;
 }
