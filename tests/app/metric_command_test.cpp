@@ -1,0 +1,226 @@
+#include <chrono>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/file.h"
+#include "tests/support/paths.h"
+#include "tests/support/program.h"
+
+// `fidelis metric` as scripts see it: files in, JSON or a table out, exit status.
+namespace {
+
+using nlohmann::json;
+using test_support::ProgramRun;
+using test_support::runFidelis;
+using test_support::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class MetricCommand : public testing::Test {
+ protected:
+  std::string file(const std::string& name, const std::string& content) {
+    return folder_.write(name, content).string();
+  }
+  /// Measured 0, 1, 3 m.
+  std::string real() { return file("real.csv", "frame,range_m,epw_m\n0,0,1\n1,1,1\n2,3,1.5\n"); }
+  /// The same 5 m farther; pulse widths as measured.
+  std::string simulated() { return file("sim.csv", "range_m,epw_m\n5,1\n6,1\n8,1.5\n"); }
+
+  TemporaryFolder folder_;
+};
+
+json measurandOf(const ProgramRun& run, std::size_t index = 0) {
+  EXPECT_EQ(run.status, 0) << run.messages;
+  return json::parse(run.out).at("measurands").at(index);
+}
+
+TEST_F(MetricCommand, PureOffsetIsReportedAsBiasUnderEveryKey) {
+  const ProgramRun run = runFidelis({"metric", real(), simulated(), "--column", "range_m", "--json", "-"});
+  const json range = measurandOf(run);
+  EXPECT_EQ(json::parse(run.out).at("format"), "fidelis-metric");
+  EXPECT_EQ(json::parse(run.out).at("version"), 1);
+  EXPECT_EQ(range.at("name"), "range_m");
+  EXPECT_EQ(range.at("unit"), "m");
+  EXPECT_EQ(range.at("n_real"), 3);
+  EXPECT_THAT(range.at("n_sim"), ElementsAre(3));
+  for (const char* key : {"d_avm", "d_minus", "d_bias", "d_bias_balanced", "d_avm_max", "mean_difference",
+                          "median_difference", "wasserstein_1"}) {
+    EXPECT_DOUBLE_EQ(range.at(key).get<double>(), 5.0) << key;
+  }
+  for (const char* key : {"d_plus", "d_cavm", "residual_bias", "d_cavm_balanced", "pbox_area", "std_difference"}) {
+    EXPECT_NEAR(range.at(key).get<double>(), 0.0, 1e-15) << key;
+  }
+  EXPECT_DOUBLE_EQ(range.at("dvm").at(0).get<double>(), 5.0);
+  EXPECT_DOUBLE_EQ(range.at("double_metric").at(1).get<double>(), 5.0);
+  EXPECT_LT(range.at("d_mavm").at(0).get<double>(), -5.0);
+  EXPECT_GT(range.at("d_mavm").at(1).get<double>(), 0.0);
+  EXPECT_EQ(range.at("ks").at("statistic"), 1.0);
+  EXPECT_LT(range.at("ks").at("p_value").get<double>(), 0.1);
+}
+
+TEST_F(MetricCommand, SeveralSimulatedFilesMakeABox) {
+  const std::string low = file("low.csv", "v\n2\n");
+  const std::string high = file("high.csv", "v\n5\n5\n");
+  const json v =
+      measurandOf(runFidelis({"metric", file("seven.csv", "v\n7\n"), low, high, "--column", "v", "--json", "-"}));
+  EXPECT_THAT(v.at("n_sim"), ElementsAre(1, 2));
+  EXPECT_EQ(v.at("unit"), "");
+  EXPECT_EQ(v.at("d_bias"), -2.0);
+  EXPECT_THAT(v.at("double_metric"), ElementsAre(5.0, 2.0));
+  EXPECT_EQ(v.at("d_avm_max"), 5.0);
+  EXPECT_EQ(v.at("pbox_area"), 3.0);
+  EXPECT_DOUBLE_EQ(v.at("mean_difference").get<double>(), -3.0);  // pooled: 2, 5, 5
+  EXPECT_EQ(v.at("median_difference"), -2.0);
+  EXPECT_TRUE(v.at("std_difference").is_null());  // one measured value has no spread
+}
+
+TEST_F(MetricCommand, EveryColumnIsAMeasurandWithTheUnitOfItsName) {
+  const std::string words = "range_m,azimuth_rad,time_s,delay_ns,intensity,speed_m_s,count\n1,1,1,1,1,1,1\n";
+  const std::string both = file("all.csv", words);
+  std::vector<std::string> arguments{"metric", both, both, "--json", "-"};
+  for (const char* column : {"range_m", "azimuth_rad", "time_s", "delay_ns", "intensity", "speed_m_s", "count"}) {
+    arguments.insert(arguments.end(), {"--column", column});
+  }
+  std::vector<std::string> units;
+  const json document = json::parse(runFidelis(arguments).out);
+  for (const json& measurand : document.at("measurands")) units.push_back(measurand.at("unit"));
+  EXPECT_THAT(units, ElementsAre("m", "rad", "s", "ns", "nW", "m/s", ""));
+}
+
+TEST_F(MetricCommand, GivenUnitsReplaceThoseOfTheNames) {
+  const std::vector<std::string> words{"metric",  real(),     simulated(), "--json", "-", "--column",
+                                       "range_m", "--column", "epw_m",     "--unit", "ft"};
+  EXPECT_EQ(measurandOf(runFidelis(words), 1).at("unit"), "ft");
+}
+
+TEST_F(MetricCommand, TableNamesMetricValueUnitAndMeaning) {
+  const ProgramRun run = runFidelis({"metric", real(), simulated(), "--column", "range_m", "--metric", "d_bias,ks"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr("range_m: n = 3 measured, 3 simulated\n"));
+  EXPECT_THAT(run.out, testing::ContainsRegex("d_bias +5 +m +d_minus - d_plus; > 0: simulation too high"));
+  EXPECT_THAT(run.out, testing::ContainsRegex("ks +\\[1, 0\\.[0-9]+\\] +-  "));
+  EXPECT_THAT(run.out, testing::Not(HasSubstr("d_cavm")));
+  EXPECT_THAT(run.messages, IsEmpty());
+}
+
+// Uncovered half of a box: one shift leaves a rest, the balanced one does not, and dvm takes the one that is asked for.
+TEST_F(MetricCommand, ShiftOptionChoosesTheCorrectionOfTheDoubleValidationMetric) {
+  const std::string low = file("low.csv", "v\n0\n9\n");
+  const std::string high = file("high.csv", "v\n2\n12\n");
+  const std::string measured = file("measured.csv", "v\n1\n4\n");
+  const auto run = [&](const std::string& shift) {
+    return measurandOf(runFidelis({"metric", measured, low, high, "--column", "v", "--shift", shift, "--json", "-"}));
+  };
+  const json one = run("one");
+  const json balanced = run("balanced");
+  // d_minus = (9 - 4)/2 = 2.5; moved by 2.5, [-2.5, -0.5] misses 1 by 1.5, [6.5, 9.5] misses 4 by 2.5: 1.25 - 0.75.
+  EXPECT_DOUBLE_EQ(one.at("d_bias").get<double>(), 2.5);
+  EXPECT_DOUBLE_EQ(one.at("residual_bias").get<double>(), 0.5);
+  EXPECT_THAT(one.at("dvm"), ElementsAre(2.5, 2.0));
+  // Balanced where 5 - b = b - 1: b = 3.
+  EXPECT_THAT(balanced.at("dvm"), ElementsAre(3.0, 2.0));
+  EXPECT_DOUBLE_EQ(balanced.at("d_bias").get<double>(), 2.5);
+  EXPECT_DOUBLE_EQ(one.at("d_bias_balanced").get<double>(), 3.0);
+}
+
+TEST_F(MetricCommand, ExperimentsWidenTheIntervalWhenTheyAreFew) {
+  const auto lower = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"metric", real(), simulated(), "--column", "range_m", "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return measurandOf(runFidelis(words)).at("d_mavm").at(0).get<double>();
+  };
+  EXPECT_DOUBLE_EQ(lower({"--experiments", "1"}), -2.5 - 4.55 * 2.5);
+  EXPECT_EQ(lower({"--experiments", "3"}), lower({}));
+}
+
+TEST_F(MetricCommand, CompressedFileGivesTheSameBytes) {
+  const std::string plain = real();
+  const std::string packed = (folder_ / "real.csv.gz").string();
+  core::writeFile(packed, core::readFile(plain));
+  const auto numbers = [&](const std::string& measured) {
+    return measurandOf(runFidelis({"metric", measured, simulated(), "--column", "epw_m", "--json", "-"}));
+  };
+  EXPECT_EQ(numbers(packed).dump(), numbers(plain).dump());
+}
+
+TEST_F(MetricCommand, NumberOfThreadsDoesNotChangeABit) {
+  const auto bytes = [&](const char* threads) {
+    return runFidelis({"--threads", threads, "metric", real(), simulated(), "--column", "range_m", "--json", "-"}).out;
+  };
+  EXPECT_EQ(bytes("1"), bytes("2"));
+}
+
+TEST_F(MetricCommand, JsonGoesToAFileAndNothingElseIsSaid) {
+  const std::string result = (folder_ / "result.json").string();
+  const ProgramRun run = runFidelis({"metric", real(), simulated(), "--column", "range_m", "--json", result});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_EQ(json::parse(core::readFile(result)).at("measurands").at(0).at("d_bias"), 5.0);
+}
+
+TEST_F(MetricCommand, BadInputEndsWithStatusTwoAndSaysWhere) {
+  const auto expectError = [this](const std::vector<std::string>& more, const std::vector<std::string>& told) {
+    std::vector<std::string> words{"metric"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun run = runFidelis(words);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.out, IsEmpty());
+    for (const std::string& text : told) EXPECT_THAT(run.messages, HasSubstr(text));
+  };
+  const std::string good = real();
+  const std::string other = simulated();
+  const std::string nothing = file("nothing.csv", "");
+  const std::string header = file("header.csv", "range_m\n");
+  const std::string gap = file("gap.csv", "range_m\n1\nNaN\n");
+  const std::string blank = file("blank.csv", "frame,range_m\n0,1\n1,\n");
+  const std::string text = file("text.csv", "frame,range_m\n0,far\n");
+  const std::string ragged = file("ragged.csv", "frame,range_m\n0\n");
+  const std::string absent = (folder_ / "absent.csv").string();
+  expectError({good, other, "--column", "rnge_m"}, {"real.csv:1: has no column 'rnge_m'", "Did you mean 'range_m'?"});
+  expectError({good, absent, "--column", "range_m"}, {"absent.csv"});
+  expectError({good, nothing, "--column", "range_m"}, {"nothing.csv: is empty; a header line was expected"});
+  expectError({header, other, "--column", "range_m"}, {"header.csv: has a header and no rows"});
+  expectError({good, gap, "--column", "range_m"}, {"gap.csv:3, column 'range_m': 'NaN' is not a finite number"});
+  expectError({good, blank, "--column", "range_m"}, {"blank.csv:3, column 'range_m'"});
+  expectError({good, text, "--column", "range_m"}, {"text.csv:2, column 'range_m': 'far' is not a finite number"});
+  expectError({good, ragged, "--column", "range_m"}, {"ragged.csv:2, column 'range_m': the cell is missing"});
+  expectError({good, other, "--column", "range_m", "--metric", "bias"}, {"metric 'bias': is not known"});
+  expectError({good, other, "--column", "range_m", "--column", "range_m"}, {"--column range_m: is given twice"});
+  expectError({good, other, "--column", "range_m", "--unit", "m", "--unit", "ft"}, {"--unit: is given 2 times"});
+  expectError({good, other, "--column", "range_m", "--shift", "two"}, {"--shift"});
+  expectError({good, other, "--column", "range_m", "--experiments", "0"}, {"--experiments"});
+  expectError({good, other}, {"--column is required"});
+  expectError({good, "--column", "range_m"}, {"SIM is required"});
+}
+
+TEST_F(MetricCommand, JsonThatCannotBeWrittenIsAnErrorNotASilence) {
+  const std::string target = (folder_.path() / "no" / "folder" / "result.json").string();
+  const ProgramRun run = runFidelis({"metric", real(), simulated(), "--column", "range_m", "--json", target});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.messages, HasSubstr("result.json"));
+}
+
+// A measurement of a million lines against one that is 0.25 m farther. Generous against a busy machine: the work itself
+// takes well under two seconds.
+TEST_F(MetricCommand, MillionLinesTakeSeconds) {
+  std::string real = "frame,range_m,epw_m\n";
+  std::string simulated = real;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const int steps = static_cast<int>((static_cast<long long>(i) * 7919) % 400'000);  // of 0.25 mm
+    real += std::to_string(i) + "," + std::to_string(0.00025 * steps) + ",1\n";
+    simulated += std::to_string(i) + "," + std::to_string(0.00025 * (steps + 1000)) + ",1\n";
+  }
+  const std::string first = file("million.csv", real);
+  const std::string second = file("million_simulated.csv", simulated);
+  const auto start = std::chrono::steady_clock::now();
+  const json range = measurandOf(runFidelis({"metric", first, second, "--column", "range_m", "--json", "-"}));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+  EXPECT_EQ(range.at("n_real"), 1'000'000);
+  EXPECT_NEAR(range.at("d_bias").get<double>(), 0.25, 1e-9);
+  EXPECT_NEAR(range.at("d_cavm").get<double>(), 0.0, 1e-6);  // six decimals in the files
+}
+
+}  // namespace
