@@ -67,6 +67,23 @@ std::string deflated(std::string_view content) {
                                   : "Check that the folder exists and that you may write there; nothing was changed.");
 }
 
+void writeAll(int descriptor, const std::filesystem::path& target, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throwCannotWrite(target, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// Into a device or pipe (/dev/null, /dev/stdout): renaming over it would replace the device itself by a file.
+void writeThrough(const std::filesystem::path& device, std::string_view bytes) {
+  const int descriptor = ::open(device.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) throwCannotWrite(device, errno);
+  const std::unique_ptr<const int, void (*)(const int*)> guard(&descriptor, [](const int* open) { ::close(*open); });
+  writeAll(descriptor, device, bytes);
+}
+
 /// A temporary file that is gone unless it was renamed into place.
 class TemporaryFile {
  public:
@@ -82,14 +99,7 @@ class TemporaryFile {
     if (!renamed_) ::unlink(path_.c_str());
   }
 
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throwCannotWrite(target_, errno);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
+  void write(std::string_view bytes) { writeAll(descriptor_, target_, bytes); }
 
   void moveIntoPlace() {
     if (::fsync(descriptor_) != 0) throwCannotWrite(target_, errno);
@@ -124,12 +134,18 @@ std::string readFile(const std::filesystem::path& file) {
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view content) {
-  TemporaryFile temporary(file);
-  if (file.extension() == ".gz") {
-    temporary.write(deflated(content));
-  } else {
-    temporary.write(content);
+  const std::string packed = file.extension() == ".gz" ? deflated(content) : std::string();
+  const std::string_view bytes = packed.empty() ? content : std::string_view(packed);
+  std::error_code absent;
+  const auto status = std::filesystem::status(file, absent);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status)) {
+    writeThrough(file, bytes);
+    return;
   }
+  const auto target = std::filesystem::is_symlink(file, absent) ? std::filesystem::weakly_canonical(file) : file;
+  TemporaryFile temporary(target);
+  temporary.write(bytes);
   temporary.moveIntoPlace();
 }
 

@@ -11,7 +11,8 @@ namespace core {
 
 /// Writes all or nothing: a temporary file beside it, flushed to disk, then renamed over it. Compressed if the name
 /// ends in ".gz" (without time stamp, so the same content gives the same bytes). Throws InputError if it cannot be
-/// written (no folder, no permission, disk full); the old file is then untouched.
+/// written (no folder, no permission, disk full); the old file is then untouched. A symbolic link stays one: the file
+/// that it names is written. Devices and pipes are written to, never replaced.
 void writeFile(const std::filesystem::path& file, std::string_view content);
 
 /// SHA-256 as 64 hexadecimal digits.
