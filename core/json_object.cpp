@@ -1,9 +1,8 @@
 #include "core/json_object.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 #include "core/error.h"
@@ -23,8 +22,9 @@ json parseWithoutDoubledKeys(const std::filesystem::path& file, const std::strin
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
-      throw InputError({.file = file}, fmt::format("the key '{}' stands twice in one object.",
-                       parsed.get<std::string>()), "Remove one of the two.");
+      throw InputError({.file = file},
+                       fmt::format("the key '{}' stands twice in one object.", parsed.get<std::string>()),
+                       "Remove one of the two.");
     }
     return true;
   };
@@ -47,8 +47,8 @@ json readJson(const std::filesystem::path& file) {
   } catch (const json::parse_error& error) {
     std::string what = error.what();
     if (const auto colon = what.find("syntax error"); colon != std::string::npos) what = what.substr(colon);
-    throw InputError({.file = file, .line = lineAt(text, error.byte)}, "not valid JSON: " + what + ".",
-                     "Mend the text there; a JSON-aware editor marks the spot.");
+    throw InputError({.file = file, .line = lineAt(text, error.byte > 0 ? error.byte - 1 : 0)},
+                     "not valid JSON: " + what + ".", "Mend the text there; a JSON-aware editor marks the spot.");
   } catch (const json::out_of_range& error) {  // 1e999
     const std::string what = error.what();
     throw InputError({.file = file}, "not valid JSON: " + what.substr(what.find("] ") + 2) + ".",
@@ -89,8 +89,9 @@ double JsonObject::checked(const std::string& key, const json& value, Bounds bou
   const double number = value.get<double>();
   const bool too_small = bounds.open_min ? number <= bounds.min : number < bounds.min;
   if (too_small || number > bounds.max || !std::isfinite(number)) {
-    fail(key, fmt::format("is {}; it must be {} {} and at most {}.", number,
-                          bounds.open_min ? "greater than" : "at least", bounds.min, bounds.max),
+    fail(key,
+         fmt::format("is {}; it must be {} {} and at most {}.", number, bounds.open_min ? "greater than" : "at least",
+                     bounds.min, bounds.max),
          "Give a value in that range.");
   }
   return number;
@@ -121,7 +122,8 @@ long long JsonObject::integerOr(const std::string& key, long long otherwise, Bou
 bool JsonObject::flagOr(const std::string& key, bool otherwise) {
   const json* value = find(key);
   if (!value) return otherwise;
-  if (!value->is_boolean()) fail(key, "is a " + kindOf(*value) + "; true or false was expected.", "Write true or false.");
+  if (!value->is_boolean())
+    fail(key, "is a " + kindOf(*value) + "; true or false was expected.", "Write true or false.");
   return value->get<bool>();
 }
 
