@@ -49,6 +49,13 @@ std::string immutableUri(const std::filesystem::path& file) {
   return uri + "?immutable=1";
 }
 
+/// Did somebody who was killed leave changes in the log beside the file?
+bool hasLog(const std::filesystem::path& file) {
+  std::error_code absent;
+  const auto size = std::filesystem::file_size(file.string() + "-wal", absent);
+  return !absent && size > 0;
+}
+
 }  // namespace
 
 std::string Record::text(int column) const { return statement_.getColumn(column).getString(); }
@@ -126,12 +133,16 @@ void ProjectStore::Connection::open(Opening opening) {
 }
 
 void ProjectStore::Connection::openReadOnly() {
-  // A database in WAL mode wants to write beside itself even for reading; where that is forbidden nobody else writes
-  // either, so that it may be taken as immutable.
-  const bool may_write_beside = ::access(std::filesystem::absolute(file).parent_path().c_str(), W_OK) == 0;
-  const int flags = SQLite::OPEN_READONLY | SQLite::OPEN_URI;
+  // A database in WAL mode has files beside it even for reading, and only who may write can tidy them up. Where writing
+  // is forbidden nobody else writes either, so that the file may be taken as immutable, unless its log was left behind.
+  const bool may_write =
+      ::access(file.c_str(), W_OK) == 0 && ::access(std::filesystem::absolute(file).parent_path().c_str(), W_OK) == 0;
   database_ = std::make_unique<Database>(
-      Database{SQLite::Database(may_write_beside ? file.string() : immutableUri(file), flags, kPatience_ms), {}});
+      Database{may_write ? SQLite::Database(file.string(), SQLite::OPEN_READWRITE, kPatience_ms)
+                         : SQLite::Database(hasLog(file) ? file.string() : immutableUri(file),
+                                            SQLite::OPEN_READONLY | SQLite::OPEN_URI, kPatience_ms),
+               {}});
+  database_->sqlite.exec("PRAGMA query_only = ON");
   checkContent();
   if (database_->sqlite.execAndGet("PRAGMA user_version").getInt() < schemaVersion()) {
     // The file itself must not change, so a copy in memory is migrated.

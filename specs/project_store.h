@@ -61,6 +61,9 @@ struct Specification {
   std::map<std::string, TestVerdict> verdicts;  ///< the newest of each test, by shown id
 };
 
+/// What stands for a CEPRA row in a trace: "Range error ← Attenuation", phenomenon and last effect.
+[[nodiscard]] std::string rowTitle(const cepra::Row& row);
+
 enum class Access { ReadWrite, ReadOnly };
 
 /// A project in one SQLite file (tables: schema.sql). WAL, foreign keys, a busy timeout; every change is one

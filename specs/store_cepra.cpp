@@ -12,17 +12,11 @@ namespace {
 
 using cepra::Row;
 
-/// What a trace shows of a row: its last effect and the phenomenon that it leads to.
-std::string titleOf(const Row& row) {
-  if (row.effects.size() == 1) return row.lastEffect().title;
-  return row.phenomenon().title + " ← " + row.lastEffect().title;
-}
-
 void storeRow(ProjectStore::Connection& connection, const std::string& uid, std::size_t position, const Row& row) {
   connection.run(
       "INSERT INTO item VALUES (?, ?, ?, ?, '', '', '', 'under review') "
       "ON CONFLICT (uid) DO UPDATE SET title = excluded.title",
-      {uid, std::string(name(Kind::CepraRow)), row.key, titleOf(row)});
+      {uid, std::string(name(Kind::CepraRow)), row.key, rowTitle(row)});
   connection.run("INSERT OR REPLACE INTO cepra_row VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                  {uid, static_cast<std::int64_t>(position), orNull(row.occurrence.value), row.occurrence.rationale,
                   row.occurrence.expert, orNull(row.impact.value), row.impact.rationale, row.impact.expert, row.suspect,
@@ -85,6 +79,12 @@ Row loadRow(const Record& record) {
 }
 
 }  // namespace
+
+std::string rowTitle(const Row& row) {
+  if (row.effects.empty()) return row.key;
+  if (row.effects.size() == 1) return row.lastEffect().title;
+  return row.phenomenon().title + " ← " + row.lastEffect().title;
+}
 
 void ProjectStore::saveCepra(const cepra::Table& table, const Signature& by) {
   connection_->action([&] {

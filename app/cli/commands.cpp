@@ -2,16 +2,18 @@
 
 namespace app {
 
+void addCepraCommand(CLI::App& program, Session& session);
+void addImportCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
+void addSpecCommand(CLI::App& program, Session& session);
 
 // Each command adds itself: its options, its help, and a callback that calls one library function.
 
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addMetricCommand,
-      addSimulateCommand,
+      addImportCommand, addCepraCommand, addSpecCommand, addMetricCommand, addSimulateCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -162,10 +162,17 @@ TEST_F(AProjectFile, ProcessesTakeTurns) {
   EXPECT_EQ(ProjectStore::open(file).all<Requirement>().size(), 2u + 2 * 2 * 20);
 }
 
-TEST_F(AProjectFile, OpenForReadingRefusesEveryWrite) {
-  auto store = ProjectStore::open(file, Access::ReadOnly);
-  EXPECT_EQ(store.all<Requirement>().size(), 2u);
-  EXPECT_THAT(complaint([&] { addPair(store, 1); }), HasSubstr("reading only"));
+TEST_F(AProjectFile, OpenForReadingRefusesEveryWriteAndLeavesNoTrace) {
+  const std::string before = core::readFile(file);
+  {
+    auto store = ProjectStore::open(file, Access::ReadOnly);
+    EXPECT_TRUE(store.readOnly());
+    EXPECT_EQ(store.all<Requirement>().size(), 2u);
+    EXPECT_THAT(complaint([&] { addPair(store, 1); }), HasSubstr("reading only"));
+  }
+  EXPECT_EQ(core::readFile(file), before);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + "-wal"));
+  EXPECT_FALSE(std::filesystem::exists(file.string() + "-shm"));
 }
 
 TEST_F(AProjectFile, ThatIsWriteProtectedCanBeReadAndSaysSo) {
