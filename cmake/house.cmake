@@ -4,7 +4,7 @@ add_library(house_warnings INTERFACE)
 target_compile_options(house_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                        -Woverloaded-virtual -Wimplicit-fallthrough
                        # GCC 12: false alarms (PR105651, PR105329), and designated initialisers are house style
-                       -Wno-restrict -Wno-missing-field-initializers $<$<BOOL:${FIDELIS_WERROR}>:-Werror>)
+                       -Wno-restrict -Wno-stringop-overread -Wno-missing-field-initializers $<$<BOOL:${FIDELIS_WERROR}>:-Werror>)
 
 if(FIDELIS_SANITIZE)
   add_compile_options(-fsanitize=${FIDELIS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -68,17 +68,24 @@ std::vector<Beam> readBeams(const std::filesystem::path& file) {
   return beams;
 }
 
-SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical) {
+SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical, Grid grid) {
   const bool gaussian = profile == BeamProfile::kGaussian;
   const double a = divergence.horizontal_rad / 2.0;
   const double b = divergence.vertical_rad / 2.0;
   const double reach = gaussian ? 1.5 : 1.0;
   const auto lefts = cellCentres(reach * a, a > 0.0 ? horizontal : 1);
   const auto ups = cellCentres(reach * b, b > 0.0 ? vertical : 1);
+  const auto columns = static_cast<double>(lefts.size()), rows = static_cast<double>(ups.size());
+  const bool sheared = grid == Grid::kSheared;
   SubRays rays;
   double sum = 0.0;
-  for (const double up : ups) {
-    for (const double left : lefts) {
+  for (std::size_t r = 0; r < ups.size(); ++r) {
+    for (std::size_t c = 0; c < lefts.size(); ++c) {
+      // Within its cell a sheared ray moves sideways with its row and up with its column.
+      const double aside = sheared ? (static_cast<double>(r) + 0.5) / rows - 0.5 : 0.0;
+      const double upward = sheared ? (static_cast<double>(c) + 0.5) / columns - 0.5 : 0.0;
+      const double left = lefts[c] + aside * 2.0 * reach * a / columns;
+      const double up = ups[r] + upward * 2.0 * reach * b / rows;
       rays.left_rad.push_back(left);
       rays.up_rad.push_back(up);
       rays.weight.push_back(gaussian ? gaussianWeight(left, a) * gaussianWeight(up, b) : 1.0);

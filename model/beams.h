@@ -31,7 +31,13 @@ struct SubRays {
   std::vector<double> weight;
 };
 
+/// How the sub-rays lie: in the even grid of the reference chain, or in the same grid sheared by less than a step, so
+/// that no two rays share a height or a side: the share of a beam that an upright edge cuts off is then right to about
+/// one in the number of all rays, not of the rays in a row.
+enum class Grid { kEven, kSheared };
+
 /// `divergence` of zero in a direction gives one ray in it.
-[[nodiscard]] SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical);
+[[nodiscard]] SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical,
+                                Grid grid = Grid::kEven);
 
 }  // namespace model

@@ -3,6 +3,7 @@
 namespace app {
 
 void addCepraCommand(CLI::App& program, Session& session);
+void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
@@ -13,7 +14,7 @@ void addSpecCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand, addCepraCommand, addSpecCommand, addMetricCommand, addSimulateCommand,
+      addImportCommand, addCepraCommand, addSpecCommand, addMetricCommand, addSimulateCommand, addGapCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

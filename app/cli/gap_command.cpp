@@ -1,0 +1,93 @@
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "core/error.h"
+#include "core/json_object.h"
+#include "core/text.h"
+#include "gap/diagnosis.h"
+#include "gap/report_json.h"
+#include "gap/wording.h"
+
+namespace app {
+
+namespace {
+
+struct Options {
+  std::string experiment;
+  std::string model;
+  std::string library = "all";
+  std::string json;
+  std::string write_model;
+};
+
+std::vector<std::string> libraryOf(const std::string& text) {
+  if (text == "all") return {};
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    names.push_back(core::trimmed(text.substr(at, comma - at)));
+    at = comma + 1;
+  }
+  std::vector<std::string> known;
+  for (const model::EffectEntry& entry : model::allEffects()) known.push_back(entry.info.name);
+  for (const std::string& name : names) {
+    if (model::findEffect(name)) continue;
+    const std::string nearest = core::nearestName(name, known);
+    throw core::InputError({.item = "--library"}, "'" + name + "' is not an effect of the library.",
+                           nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
+  }
+  return names;
+}
+
+void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
+  constexpr std::size_t kRows = 3;
+  out << diagnosis.verdict.text << "\n";
+  if (diagnosis.present) {
+    for (std::size_t i = 0; i < std::min(kRows, diagnosis.where.size()); ++i) {
+      out << "  where: " << gap::whereSentence(diagnosis.where[i]) << "\n";
+    }
+  }
+  for (const gap::Cause& cause : diagnosis.causes) {
+    out << "  cause: " << gap::toString(cause.kind) << " " << cause.name << ", explains "
+        << core::significant(100.0 * cause.explained, 3) << " % of the held-out discrepancy";
+    for (const gap::FittedParameter& p : cause.parameters) {
+      out << "; " << p.name << " = " << core::significant(p.value, 4) << " [" << core::significant(p.interval.low, 4) << ", "
+          << core::significant(p.interval.high, 4) << "] " << p.unit;
+    }
+    out << "\n";
+  }
+  if (diagnosis.next_experiment) out << "  next: " << diagnosis.next_experiment->text << "\n";
+}
+
+}  // namespace
+
+void addGapCommand(CLI::App& program, Session& session) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "gap", "Diagnose the gap between a measurement and its re-simulation: where, which cause, how far it shrinks");
+  command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")->required();
+  command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
+  command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
+  command->add_option("--json", options->json, "Write the report here; - for standard output");
+  command->add_option("--write-model", options->write_model, "Write the model with the cause that was found");
+  command->footer("Example:\n  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json");
+  command->callback([options, &session] {
+    const auto library = libraryOf(options->library);
+    const model::Experiment experiment = model::readExperiment(options->experiment);
+    const model::LidarModel lidar = model::readModel(options->model);
+    const gap::Diagnosis diagnosis =
+        gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed}, session.progress);
+    if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
+    if (options->json != "-") print(diagnosis, session.out);
+    if (options->write_model.empty()) return;
+    if (diagnosis.proposed_model.is_null()) {
+      session.messages << "fidelis: no model file was written: the verdict names nothing that a model file can hold.\n";
+    } else {
+      core::writeJson(options->write_model, diagnosis.proposed_model);
+    }
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,174 @@
+#include "gap/candidates.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace gap {
+
+namespace {
+
+constexpr int kFitFrames = 5;
+constexpr int kJudgeFrames = 16;
+constexpr int kNullRuns = 6;
+constexpr double kPricePerParameter = 0.004;  // of the explained share
+constexpr std::size_t kPairLeaders = 4;
+
+/// Discrepancy of a simulation to another simulation with other noise, as if that had been measured.
+double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence, std::uint64_t seed) {
+  Discrepancy total;
+  for (const std::size_t s : evidence.samples) {
+    const int measured_frames = replay.samples()[s].frames;
+    const int frames = std::min(evidence.most_frames, std::max(3, measured_frames));
+    const auto measured = replay.simulate(world, s, measured_frames, seed);
+    total += discrepancy(replay, s, measured, measured_frames, replay.simulate(world, s, frames, evidence.seed), frames,
+                         evidence.half);
+  }
+  return total.sum;
+}
+
+/// Starts that the map of residuals suggests: sector ends at the strata where the gap lies.
+std::vector<std::vector<double>> startsFrom(const Hypothesis& hypothesis, const std::vector<WhereRow>& where) {
+  std::vector<std::vector<double>> starts;
+  for (const WhereRow& row : where) {
+    if (row.covariate != "azimuth_deg" || starts.size() >= 3) continue;
+    std::vector<double> start;
+    bool sector = false;
+    for (const FreeParameter& parameter : hypothesis.parameters) {
+      const bool from = parameter.name == "azimuth_from_deg", to = parameter.name == "azimuth_to_deg";
+      sector = sector || from || to;
+      start.push_back(from ? row.low : to ? row.high : parameter.start);
+    }
+    if (sector) starts.push_back(start);
+  }
+  return starts;
+}
+
+Candidate judged(const Replay& replay, const Split& split, const Yardstick& yardstick, const Hypothesis& hypothesis,
+                 const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+  Candidate candidate;
+  candidate.hypothesis = hypothesis;
+  if (hypothesis.per_setup) {
+    // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+    Evidence fitted = split.fitted;
+    fitted.samples.insert(fitted.samples.end(), split.held_out.samples.begin(), split.held_out.samples.end());
+    std::sort(fitted.samples.begin(), fitted.samples.end());
+    fitted.samples.erase(std::unique(fitted.samples.begin(), fitted.samples.end()), fitted.samples.end());
+    fitted.half = Half::kEven;
+    candidate.values = fit(replay, hypothesis, fitted, starts, progress).values;
+  } else {
+    candidate.values = fit(replay, hypothesis, split.fitted, starts, progress).values;
+  }
+  const World world = worldOf(replay, hypothesis, candidate.values);
+  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out).sum);
+  candidate.explained_fitted = yardstick.explainedFitted(discrepancyOf(replay, world, split.fitted).sum);
+  return candidate;
+}
+
+void sortByMerit(std::vector<Candidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.merit() > b.merit(); });
+}
+
+}  // namespace
+
+double Candidate::merit() const {
+  return explained - kPricePerParameter * static_cast<double>(hypothesis.parameters.size());
+}
+
+double Yardstick::explained(double discrepancy) const {
+  return (baseline - discrepancy) / std::max(1e-9, baseline - perfect);
+}
+
+double Yardstick::explainedFitted(double discrepancy) const {
+  return (baseline_fitted - discrepancy) / std::max(1e-9, baseline_fitted - perfect_fitted);
+}
+
+double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
+
+Split splitOf(const Replay& replay, std::uint64_t seed) {
+  Split split;
+  split.fitted = {.samples = {}, .half = Half::kAll, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {.samples = {}, .half = Half::kAll, .most_frames = kJudgeFrames, .seed = seed};
+  const auto& samples = replay.samples();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
+  }
+  if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return split;
+  split.held_out.samples.clear();
+  split.fitted.samples.clear();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    (samples.size() >= 3 && s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
+  }
+  if (split.held_out.samples.empty()) {
+    split.weak = true;
+    split.held_out.samples = split.fitted.samples;
+    if (!samples.front().layout->pooled()) {
+      split.fitted.half = Half::kEven;
+      split.held_out.half = Half::kOdd;
+    }
+  }
+  return split;
+}
+
+Yardstick yardstickOf(const Replay& replay, const Split& split) {
+  Yardstick yardstick;
+  const World& world = replay.baseline();
+  yardstick.baseline = discrepancyOf(replay, world, split.held_out).sum;
+  yardstick.baseline_fitted = discrepancyOf(replay, world, split.fitted).sum;
+  std::vector<double> runs(kNullRuns);
+  core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
+    runs[begin] = selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 1000 + begin);
+  });
+  for (const double run : runs) yardstick.perfect += run / kNullRuns;
+  double squares = 0.0;
+  for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
+  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1));
+  yardstick.perfect_fitted = selfDiscrepancy(replay, world, split.fitted, split.fitted.seed + 1000);
+  return yardstick;
+}
+
+std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                            const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,
+                            core::Progress& progress) {
+  std::vector<Candidate> candidates(hypotheses.size());
+  std::atomic<std::size_t> done = 0;
+  core::parallelFor(hypotheses.size(), 1, [&](std::size_t begin, std::size_t) {
+    const Hypothesis& hypothesis = hypotheses[begin];
+    candidates[begin] = judged(replay, split, yardstick, hypothesis, startsFrom(hypothesis, where), progress);
+    progress.report(static_cast<double>(++done) / static_cast<double>(hypotheses.size()), "tried " + hypothesis.name);
+  });
+  sortByMerit(candidates);
+  return candidates;
+}
+
+std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                                 const std::vector<Candidate>& singles, core::Progress& progress) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const std::size_t leaders = std::min(kPairLeaders, singles.size());
+  for (std::size_t a = 0; a < leaders; ++a) {
+    for (std::size_t b = 0; b < singles.size(); ++b) {
+      const Hypothesis &first = singles[a].hypothesis, &second = singles[b].hypothesis;
+      if ((b < leaders && b <= a) || first.name == second.name || first.per_setup || second.per_setup) continue;
+      if (first.kind != CauseKind::kEffect || second.kind != CauseKind::kEffect) continue;
+      if (b >= leaders && singles[b].explained < 0.01 && b > 14) continue;  // moves nothing, alone or beside another
+      pairs.emplace_back(a, b);
+    }
+  }
+  std::vector<Candidate> candidates(pairs.size());
+  std::atomic<std::size_t> done = 0;
+  core::parallelFor(pairs.size(), 1, [&](std::size_t begin, std::size_t) {
+    const Candidate &a = singles[pairs[begin].first], &b = singles[pairs[begin].second];
+    const Hypothesis both = together(a.hypothesis, b.hypothesis);
+    std::vector<double> start = a.values;
+    start.insert(start.end(), b.values.begin(), b.values.end());
+    candidates[begin] = judged(replay, split, yardstick, both, {start}, progress);
+    progress.report(static_cast<double>(++done) / static_cast<double>(pairs.size()), "tried " + both.name);
+  });
+  sortByMerit(candidates);
+  return candidates;
+}
+
+}  // namespace gap

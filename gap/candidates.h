@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "core/progress.h"
+#include "gap/fit.h"
+#include "gap/where.h"
+
+namespace gap {
+
+/// Which data are fitted and which judge.
+struct Split {
+  Evidence fitted;
+  Evidence held_out;
+  bool weak = false;  ///< no whole sample is held out: beams of the same samples judge
+};
+
+/// Samples of role `prediction` judge, the others are fitted. Without them every third sample judges; with fewer than
+/// three samples every second beam column.
+[[nodiscard]] Split splitOf(const Replay& replay, std::uint64_t seed);
+
+/// A hypothesis with its fit and what the held-out data say of it.
+struct Candidate {
+  Hypothesis hypothesis;
+  std::vector<double> values;
+  double explained = 0.0;  ///< (baseline - this) / (baseline - a perfect model), discrepancies on held-out data
+  double explained_fitted = 0.0;  ///< the same on the fitted data
+
+  /// What counts in comparisons: every free number must earn its place.
+  [[nodiscard]] double merit() const;
+};
+
+/// Discrepancies that candidates are measured against.
+struct Yardstick {
+  double baseline = 0.0;  ///< of the model as it was brought, held-out
+  double perfect = 0.0;   ///< of a model that is right but for noise
+  double perfect_spread = 0.0;
+  double baseline_fitted = 0.0;
+  double perfect_fitted = 0.0;
+
+  [[nodiscard]] double explained(double discrepancy) const;
+  [[nodiscard]] double explainedFitted(double discrepancy) const;
+  /// How far the baseline stands above noise, in standard deviations of noise.
+  [[nodiscard]] double z() const;
+};
+
+[[nodiscard]] Yardstick yardstickOf(const Replay& replay, const Split& split);
+
+/// Fits every hypothesis and judges it on held-out data; best merit first.
+[[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                                          const std::vector<Hypothesis>& hypotheses,
+                                          const std::vector<WhereRow>& where, core::Progress& progress);
+
+/// Joint fits of the best candidates with every other one, started from the single fits.
+[[nodiscard]] std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                                               const std::vector<Candidate>& singles, core::Progress& progress);
+
+}  // namespace gap

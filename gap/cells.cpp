@@ -1,0 +1,170 @@
+#include "gap/cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/error.h"
+#include "core/physics.h"
+
+namespace gap {
+
+namespace {
+
+struct Surface {
+  std::int32_t object;
+  double weight = 0.0;
+  double range = 0.0;      // weighted sums
+  double incidence = 0.0;
+};
+
+/// The surfaces that a beam meets, near ones merged: the chain would report them as one echo.
+std::vector<Surface> surfacesOf(std::span<const model::Hit> hits, double separation_m) {
+  std::vector<Surface> surfaces;
+  for (const model::Hit& hit : hits) {
+    auto known = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
+    if (known == surfaces.end()) known = surfaces.insert(surfaces.end(), Surface{hit.object});
+    known->weight += hit.weight;
+    known->range += hit.weight * hit.range_m;
+    known->incidence += hit.weight * std::acos(std::min(1.0F, hit.cos_incidence));
+  }
+  for (Surface& surface : surfaces) {
+    surface.range /= surface.weight;
+    surface.incidence /= surface.weight;
+  }
+  std::sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) { return a.range < b.range; });
+  std::vector<Surface> kept;
+  for (const Surface& surface : surfaces) {
+    if (!kept.empty() && surface.range - kept.back().range < separation_m) {
+      if (surface.weight > kept.back().weight) kept.back() = surface;
+    } else {
+      kept.push_back(surface);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+const char* nameOf(Channel channel) {
+  constexpr const char* kNames[] = {"range", "epw", "intensity"};
+  return kNames[channel];
+}
+
+double CellStatistics::variance(Channel channel) const {
+  if (count < 2.0) return 0.0;
+  return std::max(0.0, (sum_of_squares[channel] - sum[channel] * sum[channel] / count) / (count - 1.0));
+}
+
+CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
+                       bool directions_recorded)
+    : pooled_(!directions_recorded) {
+  const model::ChainSettings& settings = baseline.settings();
+  const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
+  const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
+  reach_m_ = std::max(1.0, 2.0 * separation_m);
+  if (pooled_) {
+    cells_ = {{.object = 0}};
+    surfaces_ = 1;
+    return;
+  }
+  first_.push_back(0);
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    double power_w = 0.0;
+    for (const model::Pulse& pulse : baseline.pulsesOf(hits.beams[b], hits.of(b), scene)) power_w += pulse.power_w;
+    for (const Surface& surface : surfacesOf(hits.of(b), separation_m)) {
+      cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w});
+    }
+    first_.push_back(static_cast<std::uint32_t>(cells_.size()));
+  }
+  surfaces_ = cells_.size();
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) cells_.push_back({.beam = b});
+}
+
+std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
+  if (pooled_) return 0;
+  std::size_t best = surfaces_ + beam;
+  double best_distance = reach_m_;
+  for (std::size_t c = first_[beam]; c < first_[beam + 1]; ++c) {
+    const double distance = std::abs(cells_[c].anchor_m - range_m);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = c;
+    }
+  }
+  return best;
+}
+
+void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
+                     const std::array<double, kChannels>& values) const {
+  CellStatistics& s = statistics[cell];
+  s.count += 1.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double value = c == kRange ? values[c] - cells_[cell].anchor_m : values[c];
+    s.sum[c] += value;
+    s.sum_of_squares[c] += value * value;
+  }
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+  std::vector<CellStatistics> statistics(cells_.size());
+  for (const model::Shot& shot : shots) {
+    add(statistics, cellOf(shot.beam, shot.range_m), {shot.range_m, shot.epw_m, shot.intensity_nw});
+  }
+  return statistics;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,
+                                                     const std::vector<std::uint32_t>& beam_of) const {
+  std::vector<CellStatistics> statistics(cells_.size());
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    add(statistics, cellOf(pooled_ ? 0 : beam_of[i], detections.range_m[i]),
+        {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
+         detections.intensity.empty() ? 0.0 : detections.intensity[i]});
+  }
+  return statistics;
+}
+
+std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections, const std::vector<model::Beam>& beams,
+                                             const std::filesystem::path& file) {
+  if (!detections.hasDirections()) return std::vector<std::uint32_t>(detections.size(), 0);
+  std::map<std::int32_t, std::vector<std::uint32_t>> layers;
+  for (std::uint32_t b = 0; b < beams.size(); ++b) layers[beams[b].layer].push_back(b);
+  for (auto& [layer, list] : layers) {
+    std::sort(list.begin(), list.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return beams[a].azimuth_rad < beams[b].azimuth_rad; });
+  }
+  const auto distance = [&](std::uint32_t b, std::size_t i) {
+    return std::hypot(beams[b].azimuth_rad - detections.azimuth_rad[i],
+                      beams[b].elevation_rad - detections.elevation_rad[i]);
+  };
+  constexpr double kFarthest_rad = 0.035;  // two degrees: beyond that the profile is not this sensor's
+  std::vector<std::uint32_t> result(detections.size());
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    const auto layer = layers.find(detections.layer[i]);
+    if (layer == layers.end()) {
+      throw core::InputError({.file = file, .line = static_cast<int>(i) + 2},
+                             fmt::format("layer {} does not exist; the sensor profile has {} layers.",
+                                         detections.layer[i], layers.size()),
+                             "Use the profile of the sensor that measured this.");
+    }
+    const auto& list = layer->second;
+    auto right = std::lower_bound(list.begin(), list.end(), detections.azimuth_rad[i],
+                                  [&](std::uint32_t b, double azimuth) { return beams[b].azimuth_rad < azimuth; });
+    std::uint32_t best = right == list.end() ? list.back() : *right;
+    if (right != list.begin() && distance(*(right - 1), i) < distance(best, i)) best = *(right - 1);
+    if (distance(best, i) > kFarthest_rad) {
+      throw core::InputError({.file = file, .line = static_cast<int>(i) + 2},
+                             fmt::format("no beam of layer {} points near azimuth {:.4f} rad.", detections.layer[i],
+                                         detections.azimuth_rad[i]),
+                             "Use the profile of the sensor that measured this.");
+    }
+    result[i] = best;
+  }
+  return result;
+}
+
+}  // namespace gap

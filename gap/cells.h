@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/detections.h"
+#include "model/geometry_pass.h"
+#include "model/scene.h"
+#include "model/signal_chain.h"
+
+namespace gap {
+
+/// The three quantities that a detection carries.
+enum Channel : std::size_t { kRange, kEpw, kIntensity, kChannels };
+[[nodiscard]] const char* nameOf(Channel channel);
+
+/// Where measured and simulated detections are paired: one surface seen by one beam of one sample. The frames of a
+/// sample are repetitions of a cell. What the simulation knows of it comes from the baseline's geometry.
+struct Cell {
+  std::uint32_t beam = 0;
+  std::int32_t object = -1;  ///< -1: nothing is there, its detections are unexpected ("extra")
+  double anchor_m = 0.0;     ///< range at which the surface is expected
+  double incidence_rad = 0.0;
+  double power_over_threshold = 0.0;  ///< of the baseline, before noise
+};
+
+/// Count, mean and spread of the detections of a cell over the frames.
+struct CellStatistics {
+  double count = 0.0;
+  std::array<double, kChannels> sum{};
+  std::array<double, kChannels> sum_of_squares{};  ///< about `anchor` (range) or zero
+
+  [[nodiscard]] double mean(Channel channel) const { return sum[channel] / count; }
+  [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
+};
+
+/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam.
+class CellLayout {
+ public:
+  CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
+             bool directions_recorded);
+
+  [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
+  [[nodiscard]] std::size_t surfaces() const noexcept { return surfaces_; }
+  [[nodiscard]] bool pooled() const noexcept { return pooled_; }
+
+  [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<model::Shot>& shots) const;
+  /// `beam_of[i]` is the beam of detection i.
+  [[nodiscard]] std::vector<CellStatistics> statisticsOf(const core::Detections& detections,
+                                                         const std::vector<std::uint32_t>& beam_of) const;
+
+ private:
+  [[nodiscard]] std::size_t cellOf(std::uint32_t beam, double range_m) const;
+  void add(std::vector<CellStatistics>& statistics, std::size_t cell, const std::array<double, kChannels>& values) const;
+
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
+  std::size_t surfaces_ = 0;
+  double reach_m_ = 0.0;  ///< farther from every anchor a detection is extra
+  bool pooled_ = false;   ///< directions were not recorded: everything is one cell
+};
+
+/// The beam of every detection: the nearest of its layer in azimuth. Throws InputError if a layer does not exist in
+/// the profile or a direction is farther from every beam than one step.
+[[nodiscard]] std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections,
+                                                           const std::vector<model::Beam>& beams,
+                                                           const std::filesystem::path& file);
+
+}  // namespace gap

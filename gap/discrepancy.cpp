@@ -1,0 +1,136 @@
+#include "gap/discrepancy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gap {
+
+namespace {
+
+constexpr double kFloorSteps = 0.2;           // of the resolution: smaller mean differences are not worth explaining
+constexpr double kIntensityFloor = 0.004;     // relative: sub-ray grids of two programs agree no better
+constexpr double kRateFloor = 0.03;           // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;         // of the logarithm of a variance
+constexpr double kLostCell = 20.0;             // z per channel of a surface that only one side detects in every frame
+constexpr double kOftenDetected = 0.3;         // rarer than this a lost surface is no more than its rate term
+constexpr double kPriorDetections = 6.0;      // weight of the profile's own noise in a cell's variance
+constexpr std::size_t kSpreadGroups = 6;      // groups of like power in which spreads are compared
+
+double rho(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
+
+bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
+  if (half == Half::kAll) return true;
+  const bool odd = (sample.beams[cell.beam].column & 1) != 0;
+  return odd == (half == Half::kOdd);
+}
+
+/// Variance that the profile states for one detection: a prior where a cell has few of them.
+double priorVariance(const Replay& replay, const ReplaySample& sample, Channel channel) {
+  const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
+  const double step = replay.resolution(channel);
+  double noise = step;
+  if (channel == kRange) noise = sensor.detection.range_noise_m;
+  if (channel == kEpw) noise = sensor.detection.epw_noise_m;
+  if (channel == kIntensity) noise = 1e9 * sensor.receiver.noise_w;
+  return noise * noise + step * step / 12.0;
+}
+
+double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
+  const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
+  return (dof_a * a.variance(channel) + dof_b * b.variance(channel) + kPriorDetections * prior) /
+         (dof_a + dof_b + kPriorDetections);
+}
+
+double squaredFloor(const Replay& replay, Channel channel, double value) {
+  const double steps = kFloorSteps * replay.resolution(channel);
+  const double relative = channel == kIntensity ? kIntensityFloor * value : 0.0;
+  return steps * steps + relative * relative;
+}
+
+double meanTerm(const Replay& replay, const ReplaySample& sample, Channel channel, const CellStatistics& m,
+                const CellStatistics& s) {
+  const double variance = pooledVariance(m, s, channel, priorVariance(replay, sample, channel));
+  const double error = variance / m.count + variance / s.count + squaredFloor(replay, channel, s.mean(channel));
+  return rho((m.mean(channel) - s.mean(channel)) / std::sqrt(error));
+}
+
+double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames) {
+  const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
+  const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
+  const double error = variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor;
+  return rho((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
+}
+
+/// Spread within cells, pooled over groups of cells of like predicted power.
+void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
+               const std::vector<CellStatistics>& measured, const std::vector<CellStatistics>& simulated,
+               Discrepancy& result) {
+  const double prior = priorVariance(replay, sample, channel);
+  const std::size_t groups = std::min(kSpreadGroups, cells.size());
+  for (std::size_t g = 0; g < groups; ++g) {
+    double dof_m = 0.0, dof_s = 0.0, sum_m = 0.0, sum_s = 0.0;
+    for (std::size_t i = cells.size() * g / groups; i < cells.size() * (g + 1) / groups; ++i) {
+      const CellStatistics &m = measured[cells[i]], &s = simulated[cells[i]];
+      if (m.count < 2.0 || s.count < 2.0) continue;
+      dof_m += m.count - 1.0;
+      dof_s += s.count - 1.0;
+      sum_m += (m.count - 1.0) * m.variance(channel);
+      sum_s += (s.count - 1.0) * s.variance(channel);
+    }
+    if (dof_m < 5.0 || dof_s < 5.0) continue;
+    const double small = 0.02 * prior;  // quantised outputs may not scatter at all
+    const double z = std::log((sum_m / dof_m + small) / (sum_s / dof_s + small)) /
+                     std::sqrt(2.0 / dof_m + 2.0 / dof_s + kSpreadFloor * kSpreadFloor);
+    // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
+    const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups));
+    result.sum += weight * rho(z);
+    result.terms += weight;
+  }
+}
+
+}  // namespace
+
+double meanError(const Replay& replay, Channel channel, const CellStatistics& a, const CellStatistics& b) {
+  const double prior = replay.resolution(channel) * replay.resolution(channel) / 12.0;
+  const double variance = pooledVariance(a, b, channel, prior);
+  return std::sqrt(variance / a.count + variance / b.count + squaredFloor(replay, channel, b.mean(channel)));
+}
+
+Discrepancy discrepancy(const Replay& replay, std::size_t index, const std::vector<CellStatistics>& measured,
+                        int measured_frames, const std::vector<CellStatistics>& simulated, int simulated_frames,
+                        Half half) {
+  const ReplaySample& sample = replay.samples()[index];
+  const auto& cells = sample.layout->cells();
+  Discrepancy result;
+  std::vector<std::size_t> surfaces;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!takesPart(sample, cells[c], half)) continue;
+    const CellStatistics &m = measured[c], &s = simulated[c];
+    if (m.count == 0.0 && s.count == 0.0) continue;
+    if (!sample.layout->pooled()) {
+      result.sum += rateTerm(m.count, measured_frames, s.count, simulated_frames);
+      result.terms += 1.0;
+    }
+    if (c >= sample.layout->surfaces()) continue;
+    surfaces.push_back(c);
+    if (m.count == 0.0 || s.count == 0.0) {
+      // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
+      const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
+      result.sum += static_cast<double>(replay.channels().size()) * rho(kLostCell * std::max(0.0, rate - kOftenDetected));
+      result.terms += static_cast<double>(replay.channels().size());
+      continue;
+    }
+    for (const Channel channel : replay.channels()) {
+      result.sum += meanTerm(replay, sample, channel, m, s);
+      result.terms += 1.0;
+    }
+  }
+  std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
+    return cells[a].power_over_threshold < cells[b].power_over_threshold;
+  });
+  for (const Channel channel : replay.channels()) addSpread(replay, sample, surfaces, channel, measured, simulated, result);
+  return result;
+}
+
+}  // namespace gap

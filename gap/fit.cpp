@@ -1,0 +1,239 @@
+#include "gap/fit.h"
+
+#include <nlopt.h>
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace gap {
+
+namespace {
+
+constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
+constexpr int kBrentBits = 10;    // a thousandth of the bracket
+constexpr std::size_t kCoarseSamples = 4;
+
+/// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
+class Scale {
+ public:
+  explicit Scale(const FreeParameter& p) : p_(p) {}
+
+  [[nodiscard]] double toUnit(double value) const {
+    value = std::clamp(value, p_.low, p_.high);
+    return (bend(value) - bend(p_.low)) / (bend(p_.high) - bend(p_.low));
+  }
+  [[nodiscard]] double toValue(double unit) const {
+    const double bent = bend(p_.low) + std::clamp(unit, 0.0, 1.0) * (bend(p_.high) - bend(p_.low));
+    return std::clamp(unbend(bent), p_.low, p_.high);
+  }
+
+ private:
+  [[nodiscard]] bool straddlesZero() const { return p_.low < 0.0 && p_.high > 0.0 && p_.unit != "deg"; }
+  [[nodiscard]] double bend(double value) const {
+    if (p_.logarithmic) return std::log(value);
+    return straddlesZero() ? std::asinh(value / (0.01 * p_.high)) : value;
+  }
+  [[nodiscard]] double unbend(double bent) const {
+    if (p_.logarithmic) return std::exp(bent);
+    return straddlesZero() ? 0.01 * p_.high * std::sinh(bent) : bent;
+  }
+  FreeParameter p_;
+};
+
+/// n-th element of the van der Corput sequence in a base: together a Halton sequence, even and deterministic.
+double vanDerCorput(unsigned n, unsigned base) {
+  double value = 0.0, part = 1.0;
+  for (; n > 0; n /= base) {
+    part /= base;
+    value += part * (n % base);
+  }
+  return value;
+}
+
+std::vector<std::vector<double>> coarsePoints(std::size_t dimensions) {
+  constexpr unsigned kBases[] = {2, 3, 5, 7, 11, 13};
+  const unsigned count = dimensions == 1 ? 10 : dimensions == 2 ? 24 : 40;
+  std::vector<std::vector<double>> points;
+  for (unsigned n = 0; n < count; ++n) {
+    std::vector<double> point;
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      point.push_back(dimensions == 1 ? (n + 0.5) / count : vanDerCorput(n + 1, kBases[d % 6]));
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// The objective on the unit cube.
+class Objective {
+ public:
+  Objective(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence, const core::Progress& progress)
+      : replay_(replay), hypothesis_(hypothesis), evidence_(evidence), progress_(progress) {
+    for (const FreeParameter& parameter : hypothesis.parameters) scales_.emplace_back(parameter);
+  }
+
+  [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < unit.size(); ++i) values.push_back(scales_[i].toValue(unit[i]));
+    return values;
+  }
+  [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const {
+    std::vector<double> unit;
+    for (std::size_t i = 0; i < values.size(); ++i) unit.push_back(scales_[i].toUnit(values[i]));
+    return unit;
+  }
+  [[nodiscard]] double operator()(const std::vector<double>& unit) const {
+    core::stopIfCancelled(progress_);
+    return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_).sum;
+  }
+  [[nodiscard]] Objective on(const Evidence& evidence) const { return {replay_, hypothesis_, evidence, progress_}; }
+  [[nodiscard]] std::size_t dimensions() const { return scales_.size(); }
+  [[nodiscard]] const Evidence& evidence() const { return evidence_; }
+
+ private:
+  const Replay& replay_;
+  const Hypothesis& hypothesis_;
+  Evidence evidence_;
+  const core::Progress& progress_;
+  std::vector<Scale> scales_;
+};
+
+std::vector<double> coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
+  // A few samples, spread over the list, are enough to find the neighbourhood.
+  Evidence few = objective.evidence();
+  if (few.samples.size() > kCoarseSamples) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < kCoarseSamples; ++i) {
+      chosen.push_back(few.samples[i * (few.samples.size() - 1) / (kCoarseSamples - 1)]);
+    }
+    few.samples = chosen;
+  }
+  few.most_frames = std::min(few.most_frames, 3);
+  const Objective quick = objective.on(few);
+  std::vector<std::vector<double>> points = coarsePoints(objective.dimensions());
+  for (const auto& start : starts) points.push_back(objective.unitOf(start));
+  std::vector<double> best;
+  double best_value = std::numeric_limits<double>::infinity();
+  for (const auto& point : points) {
+    const double value = quick(point);
+    if (value < best_value) {
+      best_value = value;
+      best = point;
+    }
+  }
+  return best;
+}
+
+std::vector<double> refineOne(const Objective& objective, double start) {
+  const double reach = 0.12;
+  std::uintmax_t most = 24;
+  const auto [unit, value] = boost::math::tools::brent_find_minima(
+      [&](double x) { return objective({x}); }, std::max(0.0, start - reach), std::min(1.0, start + reach), kBrentBits, most);
+  (void)value;
+  return {unit};
+}
+
+struct SubplexCall {
+  const Objective* objective;
+  std::exception_ptr error;
+  nlopt_opt optimiser;
+};
+
+double onSubplex(unsigned n, const double* x, double*, void* data) {
+  auto& call = *static_cast<SubplexCall*>(data);
+  try {
+    return (*call.objective)(std::vector<double>(x, x + n));
+  } catch (...) {
+    call.error = std::current_exception();  // must not pass through C
+    nlopt_force_stop(call.optimiser);
+    return std::numeric_limits<double>::max();
+  }
+}
+
+std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start) {
+  const auto n = static_cast<unsigned>(start.size());
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(NLOPT_LN_SBPLX, n), nlopt_destroy);
+  SubplexCall call{&objective, nullptr, optimiser.get()};
+  nlopt_set_min_objective(optimiser.get(), onSubplex, &call);
+  nlopt_set_lower_bounds1(optimiser.get(), 0.0);
+  nlopt_set_upper_bounds1(optimiser.get(), 1.0);
+  nlopt_set_initial_step1(optimiser.get(), 0.06);
+  nlopt_set_xtol_abs1(optimiser.get(), 5e-4);
+  nlopt_set_ftol_rel(optimiser.get(), 1e-4);
+  nlopt_set_maxeval(optimiser.get(), kRefinements);
+  for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
+  double best = 0.0;
+  nlopt_optimize(optimiser.get(), start.data(), &best);
+  if (call.error) std::rethrow_exception(call.error);
+  return start;
+}
+
+Fit fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                const core::Progress& progress) {
+  Fit result;
+  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
+    Evidence own = evidence;
+    own.samples.clear();
+    for (const std::size_t s : evidence.samples) {
+      if (replay.samples()[s].sample->setup == hypothesis.parameters[i].name) own.samples.push_back(s);
+    }
+    if (own.samples.empty()) {
+      result.values.push_back(0.0);
+      continue;
+    }
+    Hypothesis single = hypothesis;
+    single.per_setup = false;
+    single.parameters = {hypothesis.parameters[i]};
+    single.apply = [&hypothesis, i](World& world, const std::vector<double>& values) {
+      std::vector<double> all(hypothesis.parameters.size(), 0.0);
+      all[i] = values[0];
+      hypothesis.apply(world, all);
+    };
+    result.values.push_back(fit(replay, single, own, {}, progress).values[0]);
+  }
+  result.discrepancy = discrepancyOf(replay, worldOf(replay, hypothesis, result.values), evidence);
+  return result;
+}
+
+}  // namespace
+
+World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
+  World world = replay.baseline();
+  hypothesis.apply(world, values);
+  return world;
+}
+
+Discrepancy discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
+  Discrepancy total;
+  for (const std::size_t s : evidence.samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const int frames = std::min(evidence.most_frames, std::max(3, sample.frames));
+    total += discrepancy(replay, s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed),
+                         frames, evidence.half);
+  }
+  return total;
+}
+
+Fit fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+        const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+  if (hypothesis.per_setup) return fitPerSetup(replay, hypothesis, evidence, progress);
+  const Objective objective(replay, hypothesis, evidence, progress);
+  Fit result;
+  if (objective.dimensions() > 0) {
+    std::vector<std::vector<double>> all = starts;
+    std::vector<double> typical;
+    for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
+    all.push_back(typical);
+    std::vector<double> best = coarseSearch(objective, all);
+    best = objective.dimensions() == 1 ? refineOne(objective, best[0]) : refineSeveral(objective, best);
+    result.values = objective.valuesAt(best);
+  }
+  result.discrepancy = discrepancyOf(replay, worldOf(replay, hypothesis, result.values), evidence);
+  return result;
+}
+
+}  // namespace gap

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/progress.h"
+#include "gap/discrepancy.h"
+#include "gap/hypotheses.h"
+
+namespace gap {
+
+/// Which samples (and which half of their beams) a fit sees, and how many frames it simulates of each.
+struct Evidence {
+  std::vector<std::size_t> samples;
+  Half half = Half::kAll;
+  int most_frames = 6;
+  std::uint64_t seed = 1;
+};
+
+struct Fit {
+  std::vector<double> values;  ///< of the hypothesis' parameters
+  Discrepancy discrepancy;     ///< on the evidence it was fitted to
+};
+
+/// Discrepancy of a world on some evidence.
+[[nodiscard]] Discrepancy discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
+
+/// The world in which a hypothesis holds with these values.
+[[nodiscard]] World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);
+
+/// Finds the parameter values with the smallest discrepancy: a coarse search over the plausible range (and the starts
+/// given), then a bounded derivative-free refinement (NLopt: Subplex; one parameter: Brent). Parameters per set-up are
+/// fitted one by one. Deterministic. The random numbers are the same for all values and hypotheses.
+[[nodiscard]] Fit fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                      const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+
+}  // namespace gap

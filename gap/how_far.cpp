@@ -1,0 +1,130 @@
+#include "gap/how_far.h"
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/random.h"
+
+namespace gap {
+
+namespace {
+
+constexpr int kResamples = 60;
+
+double quantile(std::vector<double> values, double p) {
+  std::sort(values.begin(), values.end());
+  const double place = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Interval central95(const std::vector<double>& values) { return {quantile(values, 0.025), quantile(values, 0.975)}; }
+
+std::vector<int> resampledFrames(int frames, core::Random& random) {
+  std::vector<int> chosen;
+  for (int f = 0; f < frames; ++f) chosen.push_back(static_cast<int>(random.below(static_cast<std::uint32_t>(frames))));
+  return chosen;
+}
+
+struct Pairing {
+  core::Detections before;
+  core::Detections after;
+};
+
+double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
+
+}  // namespace
+
+double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out, std::uint64_t seed) {
+  std::vector<TotalGap> before, then;
+  for (const std::size_t s : held_out) {
+    const ReplaySample& sample = replay.samples()[s];
+    const auto& measurands = replay.experiment().measurands;
+    before.push_back(totalGap(measurands, sample.measured, replay.detections(replay.baseline(), s, seed), sample.frames));
+    then.push_back(totalGap(measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
+  }
+  return shrinkOf(meanOf(before).total, meanOf(then).total);
+}
+
+BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
+                   std::uint64_t seed, const core::Progress& progress) {
+  const auto& measurands = replay.experiment().measurands;
+  std::vector<Pairing> pairings(held_out.size());
+  std::vector<TotalGap> gaps_before(held_out.size()), gaps_after(held_out.size());
+  core::parallelFor(held_out.size(), 1, [&](std::size_t i, std::size_t) {
+    const ReplaySample& sample = replay.samples()[held_out[i]];
+    pairings[i] = {replay.detections(replay.baseline(), held_out[i], seed), replay.detections(after, held_out[i], seed)};
+    gaps_before[i] = totalGap(measurands, sample.measured, pairings[i].before, sample.frames);
+    gaps_after[i] = totalGap(measurands, sample.measured, pairings[i].after, sample.frames);
+  });
+  BeforeAfter result;
+  result.before = meanOf(gaps_before);
+  result.after = meanOf(gaps_after);
+  result.shrink.fraction = shrinkOf(result.before.total, result.after.total);
+
+  std::vector<TotalGap> means_before(kResamples), means_after(kResamples);
+  core::parallelFor(kResamples, 1, [&](std::size_t r, std::size_t) {
+    core::stopIfCancelled(progress);
+    core::Random random({.seed = seed, .frame = static_cast<std::uint32_t>(r), .purpose = core::purposeOf("bootstrap")});
+    std::vector<TotalGap> resampled_before, resampled_after;
+    for (std::size_t k = 0; k < held_out.size(); ++k) {
+      const std::size_t i = random.below(static_cast<std::uint32_t>(held_out.size()));
+      const ReplaySample& sample = replay.samples()[held_out[i]];
+      const auto frames = resampledFrames(sample.frames, random);
+      const core::Detections measured = framesOf(sample.measured, frames);
+      resampled_before.push_back(totalGap(measurands, measured, pairings[i].before, sample.frames));
+      resampled_after.push_back(totalGap(measurands, measured, pairings[i].after, sample.frames));
+    }
+    means_before[r] = meanOf(resampled_before);
+    means_after[r] = meanOf(resampled_after);
+  });
+  std::vector<double> shrinks;
+  std::map<std::string, std::vector<double>> biases;
+  for (int r = 0; r < kResamples; ++r) {
+    const auto index = static_cast<std::size_t>(r);
+    shrinks.push_back(shrinkOf(means_before[index].total, means_after[index].total));
+    for (const MeasurandGap& m : means_before[index].measurands) biases[m.name].push_back(m.d_bias);
+  }
+  result.shrink.interval = central95(shrinks);
+  for (const auto& [name, values] : biases) result.bias_intervals[name] = central95(values);
+  return result;
+}
+
+std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,
+                                         const std::vector<double>& values, const Evidence& evidence,
+                                         const core::Progress& progress) {
+  std::vector<std::string> setups;
+  for (const std::size_t s : evidence.samples) {
+    const std::string& setup = replay.samples()[s].sample->setup;
+    if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
+  }
+  std::vector<Interval> intervals;
+  if (setups.size() < 2 || hypothesis.per_setup) {
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      intervals.push_back({hypothesis.parameters[p].low, hypothesis.parameters[p].high});
+    }
+    return intervals;
+  }
+  std::vector<std::vector<double>> refits(setups.size());
+  core::parallelFor(setups.size(), 1, [&](std::size_t k, std::size_t) {
+    Evidence without = evidence;
+    std::erase_if(without.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
+    refits[k] = fit(replay, hypothesis, without, {values}, progress).values;
+  });
+  const double n = static_cast<double>(setups.size());
+  const double t = boost::math::quantile(boost::math::students_t(n - 1.0), 0.975);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    double mean = 0.0, squares = 0.0;
+    for (const auto& refit : refits) mean += refit[p] / n;
+    for (const auto& refit : refits) squares += (refit[p] - mean) * (refit[p] - mean);
+    const double error = std::sqrt((n - 1.0) / n * squares);
+    intervals.push_back({values[p] - t * error, values[p] + t * error});
+  }
+  return intervals;
+}
+
+}  // namespace gap

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "gap/diagnosis.h"
+#include "gap/fit.h"
+
+namespace gap {
+
+/// Shrink of the total gap on held-out samples, without its interval.
+[[nodiscard]] double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
+                              std::uint64_t seed);
+
+/// The gap on the held-out samples before and after, with a bootstrap over samples (set-ups) and their frames.
+struct BeforeAfter {
+  TotalGap before;
+  TotalGap after;
+  Shrink shrink;
+  std::map<std::string, Interval> bias_intervals;  ///< of the baseline's d_bias
+};
+
+[[nodiscard]] BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
+                                 std::uint64_t seed, const core::Progress& progress);
+
+/// Jackknife over set-ups: refits the winner without each of them. [parameter order of the hypothesis]
+[[nodiscard]] std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,
+                                                       const std::vector<double>& values, const Evidence& evidence,
+                                                       const core::Progress& progress);
+
+}  // namespace gap

@@ -1,0 +1,253 @@
+#include "gap/hypotheses.h"
+
+#include "gap/discrepancy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace gap {
+
+using nlohmann::json;
+
+namespace {
+
+Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std::string>& fitted,
+                            const std::string& variant) {
+  Hypothesis hypothesis;
+  hypothesis.kind = CauseKind::kEffect;
+  hypothesis.name = info.name;
+  hypothesis.variant = variant;
+  hypothesis.percollect = info.percollect;
+  hypothesis.decomposition_block = model::toString(info.stage);
+  hypothesis.moves_geometry = info.moves_geometry;
+  for (const std::string& name : fitted) {
+    for (const model::ParameterInfo& p : info.parameters) {
+      if (p.name != name) continue;
+      const double low = p.logarithmic && p.min <= 0.0 ? p.max * 1e-4 : p.min;
+      hypothesis.parameters.push_back({p.name, p.unit, low, p.max, p.logarithmic, std::clamp(p.typical, low, p.max)});
+    }
+  }
+  const std::string effect = info.name;
+  hypothesis.apply = [effect, fitted](World& world, const std::vector<double>& values) {
+    model::EffectParameters parameters;
+    for (std::size_t i = 0; i < fitted.size(); ++i) parameters.numbers[fitted[i]] = values[i];
+    world.model = model::withEffect(world.model, effect, parameters);
+  };
+  return hypothesis;
+}
+
+/// A sector's ends must be in order; the fit may cross them.
+void orderSector(Hypothesis& hypothesis) {
+  const auto inner = hypothesis.apply;
+  std::size_t from = hypothesis.parameters.size(), to = from;
+  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
+    if (hypothesis.parameters[i].name == "azimuth_from_deg") from = i;
+    if (hypothesis.parameters[i].name == "azimuth_to_deg") to = i;
+  }
+  if (from == hypothesis.parameters.size() || to == hypothesis.parameters.size()) return;
+  hypothesis.apply = [inner, from, to](World& world, const std::vector<double>& values) {
+    std::vector<double> ordered = values;
+    if (ordered[from] > ordered[to]) std::swap(ordered[from], ordered[to]);
+    inner(world, ordered);
+  };
+}
+
+void addEffects(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
+  const model::LidarModel& baseline = replay.baseline().model;
+  for (const model::EffectEntry& entry : model::allEffects()) {
+    const model::EffectInfo& info = entry.info;
+    if (baseline.has(info.name) || info.name == "angle-clipping") continue;
+    if (!only.empty() && std::find(only.begin(), only.end(), info.name) == only.end()) continue;
+    list.push_back(effectHypothesis(info, info.fitted, ""));
+    orderSector(list.back());
+    if (info.name == "angular-reflection") list.push_back(effectHypothesis(info, {"roughness_rad"}, "oren-nayar"));
+    if (info.name == "range-walk") {
+      list.push_back(effectHypothesis(info, {}, "bare crossing"));
+      list.push_back(effectHypothesis(info, {"coefficient_m"}, "linear front"));
+    }
+  }
+}
+
+Hypothesis modelParameter(const std::string& pointer, double recorded, double low, double high, bool logarithmic) {
+  Hypothesis hypothesis;
+  hypothesis.kind = CauseKind::kParameter;
+  hypothesis.name = pointer;
+  hypothesis.parameters = {{"value", "", low, high, logarithmic, recorded}};
+  hypothesis.apply = [pointer](World& world, const std::vector<double>& values) {
+    json changed = world.model.json;
+    changed[json::json_pointer(pointer)] = values[0];
+    const model::LidarModel parsed = model::parseModel(changed, world.model.file);
+    world.model = parsed;
+  };
+  return hypothesis;
+}
+
+void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
+  const json& model = replay.baseline().model.json;
+  const auto add = [&](const std::string& pointer, double factor) {
+    const json::json_pointer place(pointer);
+    if (!model.contains(place) || !model.at(place).is_number()) return;
+    const double value = model.at(place).get<double>();
+    if (value > 0.0) list.push_back(modelParameter(pointer, value, value / factor, value * factor, true));
+  };
+  std::vector<std::string> roots;
+  if (model.contains("sensor")) roots.push_back("/sensor");
+  if (model.contains("sensors")) {
+    for (const auto& item : model["sensors"].items()) roots.push_back("/sensors/" + item.key());
+  }
+  for (const std::string& root : roots) {
+    add(root + "/emitter/peak_power_w", 4.0);
+    add(root + "/emitter/pulse_fwhm_ns", 3.0);
+    add(root + "/receiver/noise_w", 10.0);
+    add(root + "/receiver/threshold_w", 5.0);
+    add(root + "/detection/range_noise_m", 6.0);
+    add(root + "/detection/epw_noise_m", 6.0);
+    if (replay.baseline().model.has("beam-divergence")) {
+      add(root + "/emitter/divergence_rad/horizontal", 3.0);
+      add(root + "/emitter/divergence_rad/vertical", 3.0);
+    }
+  }
+  for (const model::ActiveEffect& effect : replay.baseline().model.effects) {
+    for (const auto& [name, value] : effect.parameters.numbers) {
+      const auto& parameters = model::findEffect(effect.name)->info.parameters;
+      const auto info = std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
+      if (info == parameters.end()) continue;
+      list.push_back(modelParameter("/effects/" + effect.name + "/" + name, value, std::max(info->min, value > 0 ? value / 10 : info->min),
+                                    std::min(info->max, value > 0 ? value * 10 : info->max), false));
+    }
+  }
+}
+
+/// Objects that hold a notable part of the deviation: a wrong pose or material of any other cannot explain it.
+std::set<std::int32_t> suspects(const Replay& replay) {
+  constexpr int kFrames = 5;
+  constexpr double kNotable = 0.05;
+  std::map<std::int32_t, double> deviation;
+  double all = 0.0;
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const ReplaySample& sample = replay.samples()[s];
+    const auto simulated = replay.simulate(replay.baseline(), s, kFrames, 1);
+    for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
+      const CellStatistics &m = sample.statistics[c], &x = simulated[c];
+      double sum = std::abs(m.count / sample.frames - x.count / kFrames) > 0.5 ? 10.0 : 0.0;
+      for (const Channel channel : replay.channels()) {
+        if (m.count == 0.0 || x.count == 0.0) continue;
+        sum += std::max(0.0, std::abs(m.mean(channel) - x.mean(channel)) / meanError(replay, channel, m, x) - 3.0);
+      }
+      deviation[sample.layout->cells()[c].object] += sum;
+      all += sum;
+    }
+  }
+  std::set<std::int32_t> objects;
+  for (const auto& [object, sum] : deviation) {
+    if (object >= 0 && sum >= kNotable * all) objects.insert(object);
+  }
+  return objects;
+}
+
+void addMaterials(const model::Scene& scene, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list) {
+  std::set<std::size_t> materials;
+  for (const std::int32_t object : objects) materials.insert(scene.objects[static_cast<std::size_t>(object)].material);
+  for (const std::size_t index : materials) {
+    const model::Material& material = scene.materials[index];
+    if (material.reflectivity <= 0.0) continue;
+    Hypothesis hypothesis;
+    hypothesis.kind = CauseKind::kParameter;
+    hypothesis.name = "/materials/" + material.name + "/reflectivity";
+    hypothesis.parameters = {{"value", "", material.reflectivity / 5.0, std::min(1.0, 5.0 * material.reflectivity), true,
+                              material.reflectivity}};
+    const std::string name = material.name;
+    hypothesis.apply = [name](World& world, const std::vector<double>& values) { world.reflectivity[name] = values[0]; };
+    list.push_back(std::move(hypothesis));
+  }
+}
+
+void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list) {
+  constexpr std::size_t kMostObjects = 8;  // more of them would cost minutes and teach nothing
+  std::size_t count = 0;
+  std::vector<std::string> setups;
+  for (const ReplaySample& sample : replay.samples()) {
+    if (std::find(setups.begin(), setups.end(), sample.sample->setup) == setups.end()) setups.push_back(sample.sample->setup);
+  }
+  for (const std::int32_t index : objects) {
+    if (++count > kMostObjects) break;
+    const auto& pose = replay.experiment().json["scene"][static_cast<std::size_t>(index)]["pose"];
+    const std::string root = "/scene/" + std::to_string(index) + "/pose/";
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::string pointer = root + "position_m/" + std::to_string(axis);
+      Hypothesis constant;
+      constant.kind = CauseKind::kReference;
+      constant.name = pointer;
+      constant.moves_geometry = true;
+      constant.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
+      constant.apply = [pointer](World& world, const std::vector<double>& values) {
+        world.references.push_back({pointer, values[0], {}});
+      };
+      list.push_back(constant);
+      if (setups.size() < 2 || axis > 0) continue;
+      Hypothesis varying = constant;
+      varying.variant = "per set-up";
+      varying.per_setup = true;
+      varying.parameters.clear();
+      for (const std::string& setup : setups) varying.parameters.push_back({setup, "m", -0.5, 0.5, false, 0.0});
+      varying.apply = [pointer, setups](World& world, const std::vector<double>& values) {
+        ReferenceOffset offset{pointer, 0.0, {}};
+        for (std::size_t i = 0; i < setups.size(); ++i) offset.by_setup[setups[i]] = values[i];
+        world.references.push_back(std::move(offset));
+      };
+      list.push_back(std::move(varying));
+    }
+    if (!pose.contains("yaw_pitch_roll_deg")) continue;
+    const std::string pointer = root + "yaw_pitch_roll_deg/0";
+    Hypothesis yaw;
+    yaw.kind = CauseKind::kReference;
+    yaw.name = pointer;
+    yaw.moves_geometry = true;
+    yaw.parameters = {{"offset", "deg", -15.0, 15.0, false, 0.0}};
+    yaw.apply = [pointer](World& world, const std::vector<double>& values) {
+      world.references.push_back({pointer, values[0], {}});
+    };
+    list.push_back(std::move(yaw));
+  }
+}
+
+}  // namespace
+
+std::string toString(CauseKind kind) {
+  switch (kind) {
+    case CauseKind::kEffect: return "effect";
+    case CauseKind::kParameter: return "parameter";
+    case CauseKind::kReference: return "reference";
+  }
+  return "";
+}
+
+std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<std::string>& only) {
+  std::vector<Hypothesis> list;
+  addEffects(replay, only, list);
+  addModelParameters(replay, list);
+  const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
+  const std::set<std::int32_t> objects = suspects(replay);
+  addMaterials(scene, objects, list);
+  addReferences(replay, objects, list);
+  return list;
+}
+
+Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
+  Hypothesis both = a;
+  both.name = a.name + " + " + b.name;
+  both.variant = a.variant.empty() ? b.variant : b.variant.empty() ? a.variant : a.variant + ", " + b.variant;
+  both.parameters.insert(both.parameters.end(), b.parameters.begin(), b.parameters.end());
+  both.moves_geometry = a.moves_geometry || b.moves_geometry;
+  const std::size_t split = a.parameters.size();
+  both.apply = [first = a.apply, second = b.apply, split](World& world, const std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(split);
+    first(world, {values.begin(), middle});
+    second(world, {middle, values.end()});
+  };
+  return both;
+}
+
+}  // namespace gap

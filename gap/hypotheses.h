@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gap/replay.h"
+
+namespace gap {
+
+enum class CauseKind { kEffect, kParameter, kReference };
+[[nodiscard]] std::string toString(CauseKind kind);
+
+/// A number that a hypothesis leaves open.
+struct FreeParameter {
+  std::string name;
+  std::string unit;
+  double low = 0.0;
+  double high = 0.0;
+  bool logarithmic = false;
+  double start = 0.0;
+};
+
+/// One possible cause of the gap: how the world would differ from the baseline.
+struct Hypothesis {
+  CauseKind kind = CauseKind::kEffect;
+  std::string name;                     ///< effect, or JSON Pointer
+  std::string variant;                  ///< tells several forms of one cause apart ("oren-nayar", "per set-up")
+  std::vector<FreeParameter> parameters;
+  std::function<void(World&, const std::vector<double>&)> apply;
+  std::vector<std::string> percollect;  ///< graph nodes that the cause stands for
+  std::string decomposition_block;
+  bool per_setup = false;               ///< one parameter a set-up, named after it
+  bool moves_geometry = false;
+};
+
+/// Everything that the library offers for this experiment and model: effects that the model lacks, parameters of
+/// sensor, materials and active effects, reference quantities. `only` names effects (empty: all).
+[[nodiscard]] std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<std::string>& only);
+
+/// Both at once.
+[[nodiscard]] Hypothesis together(const Hypothesis& a, const Hypothesis& b);
+
+}  // namespace gap

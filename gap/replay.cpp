@@ -1,0 +1,187 @@
+#include "gap/replay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/physics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr int kFewestRays = 9;           // per direction, whatever the model has
+constexpr int kEdgeFactor = 3;           // denser grid of partly hit beams: right to a tenth of a per cent of power
+constexpr std::size_t kMostTraces = 400; // remembered geometries
+
+/// The beams whose sub-rays do not all meet one object.
+std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits, std::size_t rays_per_beam) {
+  std::vector<std::uint32_t> partly;
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    const auto of_beam = hits.of(b);
+    if (of_beam.empty() && rays_per_beam > 1) continue;
+    const bool whole = of_beam.size() == rays_per_beam &&
+                       std::all_of(of_beam.begin(), of_beam.end(),
+                                   [&](const model::Hit& hit) { return hit.object == of_beam.front().object; });
+    if (!whole) partly.push_back(b);
+  }
+  return partly;
+}
+
+/// `hits` with some beams replaced by those of `denser`, which holds just them, in order.
+model::BeamHits withReplaced(const model::BeamHits& hits, const std::vector<std::uint32_t>& which,
+                             const model::BeamHits& denser) {
+  model::BeamHits result;
+  result.beams = hits.beams;
+  result.first.push_back(0);
+  std::size_t next = 0;
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    const bool replaced = next < which.size() && which[next] == b;
+    const auto of_beam = replaced ? denser.of(next) : hits.of(b);
+    if (replaced) ++next;
+    result.hits.insert(result.hits.end(), of_beam.begin(), of_beam.end());
+    result.first.push_back(static_cast<std::uint32_t>(result.hits.size()));
+  }
+  return result;
+}
+
+}  // namespace
+
+model::BeamHits joined(const model::BeamHits& hits, double range_bin_m, double azimuth_bin_rad) {
+  model::BeamHits result;
+  result.beams = hits.beams;
+  result.first.push_back(0);
+  struct Key {
+    std::int32_t object;
+    std::int64_t range, azimuth;
+    bool operator==(const Key&) const = default;
+  };
+  struct Sum {
+    Key key;
+    double weight = 0.0, range = 0.0, cosine = 0.0, azimuth = 0.0;
+  };
+  std::vector<Sum> sums;
+  for (std::size_t b = 0; b < hits.beams.size(); ++b) {
+    sums.clear();
+    for (const model::Hit& hit : hits.of(b)) {
+      const Key key{hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / range_bin_m)),
+                    static_cast<std::int64_t>(std::floor(hit.azimuth_rad / azimuth_bin_rad))};
+      auto found = std::find_if(sums.rbegin(), sums.rend(), [&](const Sum& s) { return s.key == key; });
+      Sum& sum = found == sums.rend() ? sums.emplace_back(Sum{key}) : *found;
+      sum.weight += hit.weight;
+      sum.range += hit.weight * hit.range_m;
+      sum.cosine += static_cast<double>(hit.weight) * hit.cos_incidence;
+      sum.azimuth += static_cast<double>(hit.weight) * hit.azimuth_rad;
+    }
+    for (const Sum& s : sums) {
+      if (s.weight <= 0.0) continue;
+      result.hits.push_back({s.range / s.weight, static_cast<float>(s.cosine / s.weight), static_cast<float>(s.weight),
+                             static_cast<float>(s.azimuth / s.weight), s.key.object});
+    }
+    result.first.push_back(static_cast<std::uint32_t>(result.hits.size()));
+  }
+  return result;
+}
+
+Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline) : experiment_(experiment) {
+  baseline_.model = baseline;
+  std::array<bool, kChannels> everywhere{true, true, true};
+  for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
+    ReplaySample replay;
+    replay.index = i;
+    replay.sample = &experiment.samples[i];
+    replay.measured = model::readMeasurements(experiment, experiment.samples[i]);
+    replay.beams = model::beamsOfSample(experiment, baseline, experiment.samples[i]);
+    replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
+    replay.frames = experiment.samples[i].frames;
+    if (replay.measured.size() > 0) {
+      everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
+      everywhere[kIntensity] = everywhere[kIntensity] && !replay.measured.intensity.empty();
+    }
+    samples_.push_back(std::move(replay));
+  }
+  constexpr const char* kColumns[] = {"range_m", "epw_m", "intensity"};
+  for (const Channel channel : {kRange, kEpw, kIntensity}) {
+    for (const model::Measurand& measurand : experiment.measurands) {
+      if (measurand.column != kColumns[channel] || !everywhere[channel]) continue;
+      channels_.push_back(channel);
+      resolution_[channel] = measurand.resolution;
+    }
+  }
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const Geometry geometry = geometryOf(baseline_, s);
+    const model::SignalChain chain(baseline.sensor(samples_[s].sample->sensor), baseline.effects,
+                                   geometry->situation.environment);
+    samples_[s].layout = std::make_unique<CellLayout>(geometry->hits, geometry->situation.scene, chain,
+                                                      samples_[s].measured.hasDirections());
+    samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
+  }
+}
+
+Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
+  const model::Sample& sample = *samples_[s].sample;
+  auto traced = std::make_shared<model::TracedSample>();
+  World bare = world;  // materials are no geometry: whoever shares the hits brings its own
+  bare.reflectivity.clear();
+  traced->situation = situationIn(bare, experiment_, sample);
+  const model::SensorProfile& sensor = world.model.sensor(sample.sensor);
+  const model::SignalChain chain(sensor, world.model.effects, traced->situation.environment);
+  const model::ChainSettings& settings = chain.settings();
+  std::vector<model::Beam> beams = samples_[s].beams;
+  chain.aim(beams);
+  const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
+  const int vertical = std::max(kFewestRays, world.model.rays_vertical);
+  const auto profile = settings.emitter.beam_profile;
+  const model::SubRays rays = model::subRaysOf(profile, settings.divergence, horizontal, vertical);
+  const model::RayTracer tracer(traced->situation.scene);
+  const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
+  const double azimuth_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
+  const model::BeamHits all = model::traceBeams(tracer, std::move(beams), rays);
+  const auto edges = partlyHit(all, rays.weight.size());
+  std::vector<model::Beam> edge_beams;
+  for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
+  const model::BeamHits dense = model::traceBeams(
+      tracer, std::move(edge_beams),
+      model::subRaysOf(profile, settings.divergence, kEdgeFactor * horizontal, kEdgeFactor * vertical,
+                       model::Grid::kSheared));
+  traced->hits = joined(withReplaced(all, edges, dense), range_bin_m, azimuth_bin_rad);
+  return traced;
+}
+
+Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
+  const std::string key = std::to_string(sample) + ":" + geometryKey(world, *samples_[sample].sample);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = traced_.find(key);
+    if (found != traced_.end()) return found->second;
+  }
+  Geometry geometry = trace(world, sample);
+  const std::lock_guard lock(mutex_);
+  if (traced_.size() < kMostTraces) traced_.emplace(key, geometry);
+  return geometry;
+}
+
+std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
+  const Geometry geometry = geometryOf(world, s);
+  const model::Sample& sample = *samples_[s].sample;
+  model::Scene scene = geometry->situation.scene;
+  for (model::Material& material : scene.materials) {
+    const auto found = world.reflectivity.find(material.name);
+    if (found != world.reflectivity.end()) material.reflectivity = found->second;
+  }
+  const model::SignalChain chain(world.model.sensor(sample.sensor), world.model.effects,
+                                 geometry->situation.environment);
+  return chain.run(geometry->hits, scene,
+                   {.seed = seed, .sample = static_cast<std::uint32_t>(samples_[s].index), .frames = frames});
+}
+
+std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
+  return samples_[s].layout->statisticsOf(fire(world, s, frames, seed));
+}
+
+core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {
+  const ReplaySample& sample = samples_[s];
+  return model::toDetections(fire(world, s, sample.frames, seed), sample.beams, world.model.sensor(sample.sample->sensor));
+}
+
+}  // namespace gap

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "gap/cells.h"
+#include "gap/world.h"
+#include "model/simulate.h"
+
+namespace gap {
+
+/// One sample with its measurement and the cells that pair it with simulations.
+struct ReplaySample {
+  std::size_t index = 0;  ///< in the experiment
+  const model::Sample* sample = nullptr;
+  core::Detections measured;
+  std::vector<std::uint32_t> beam_of;  ///< of each measured detection
+  std::vector<CellStatistics> statistics;  ///< of the measurement
+  std::unique_ptr<CellLayout> layout;
+  std::vector<model::Beam> beams;
+  int frames = 1;
+};
+
+/// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
+/// beams are traced more densely than the model's own grid, so that they do not differ by the grid alone, and hits on
+/// one object are joined. Thread-safe. References, model and experiment must outlive it.
+class Replay {
+ public:
+  Replay(const model::Experiment& experiment, const model::LidarModel& baseline);
+
+  [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
+  [[nodiscard]] const World& baseline() const noexcept { return baseline_; }
+  [[nodiscard]] const std::vector<ReplaySample>& samples() const noexcept { return samples_; }
+  /// Channels that both were measured in every sample and are measurands of the experiment.
+  [[nodiscard]] const std::vector<Channel>& channels() const noexcept { return channels_; }
+  /// One step of the sensor's output in this channel (experiment.json).
+  [[nodiscard]] double resolution(Channel channel) const { return resolution_[channel]; }
+
+  /// Cell statistics of `frames` simulated frames of a sample.
+  [[nodiscard]] std::vector<CellStatistics> simulate(const World& world, std::size_t sample, int frames,
+                                                     std::uint64_t seed) const;
+  /// All frames of a sample as the sensor would report them.
+  [[nodiscard]] core::Detections detections(const World& world, std::size_t sample, std::uint64_t seed) const;
+
+ private:
+  using Geometry = std::shared_ptr<const model::TracedSample>;
+  [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
+  [[nodiscard]] Geometry trace(const World& world, std::size_t sample) const;
+  [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
+                                              std::uint64_t seed) const;
+
+  const model::Experiment& experiment_;
+  World baseline_;
+  std::vector<ReplaySample> samples_;
+  std::vector<Channel> channels_;
+  std::array<double, kChannels> resolution_{};
+  mutable std::mutex mutex_;
+  mutable std::unordered_map<std::string, Geometry> traced_;
+};
+
+/// Joins hits of a beam that lie on one object within a small part of the pulse's width.
+[[nodiscard]] model::BeamHits joined(const model::BeamHits& hits, double range_bin_m, double azimuth_bin_rad);
+
+}  // namespace gap

@@ -1,0 +1,117 @@
+#include "gap/report_json.h"
+
+#include "core/version.h"
+#include "gap/wording.h"
+
+namespace gap {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json toJson(const Interval& interval) { return Json::array({interval.low, interval.high}); }
+
+Json stratumJson(const WhereRow& row) {
+  return row.numeric ? Json::array({row.low, row.high}) : Json(row.names);
+}
+
+Json toJson(const WhereRow& row) {
+  return {{"measurand", row.measurand}, {"component", row.component}, {"covariate", row.covariate},
+          {"stratum", stratumJson(row)}, {"value", row.value},         {"unit", row.unit},
+          {"share", row.share},          {"size", row.size},           {"p_value", row.p_value},
+          {"text", whereSentence(row)}};
+}
+
+Json gapJson(const Diagnosis& diagnosis) {
+  Json measurands = Json::array();
+  for (const MeasurandGap& m : diagnosis.before.measurands) {
+    const auto interval = diagnosis.bias_intervals.find(m.name);
+    Json entry = {{"name", m.name}, {"unit", m.unit}, {"d_bias", m.d_bias}, {"d_cavm", m.d_cavm}};
+    entry["interval"] = Json::object();
+    if (interval != diagnosis.bias_intervals.end()) entry["interval"]["d_bias"] = toJson(interval->second);
+    measurands.push_back(entry);
+  }
+  return {{"present", diagnosis.present},
+          {"p_value", diagnosis.p_value},
+          {"measurands", measurands},
+          {"existence",
+           {{"missing_fraction", diagnosis.before.missing_fraction}, {"extra_fraction", diagnosis.before.extra_fraction}}},
+          {"total", diagnosis.before.total}};
+}
+
+Json toJson(const Cause& cause) {
+  Json parameters = Json::object();
+  for (const FittedParameter& p : cause.parameters) {
+    parameters[p.name] = {{"value", p.value}, {"interval", toJson(p.interval)}, {"unit", p.unit}};
+  }
+  Json json = {{"kind", toString(cause.kind)},
+               {"name", cause.name},
+               {"percollect", cause.percollect},
+               {"confidence", cause.confidence},
+               {"parameters", parameters},
+               {"shrink", {{"fraction", cause.shrink.fraction}, {"interval", toJson(cause.shrink.interval)}}},
+               {"explained", cause.explained},
+               {"chain", cause.percollect}};
+  if (!cause.variant.empty()) json["variant"] = cause.variant;
+  if (!cause.setups.empty()) {
+    for (const auto& [setup, p] : cause.setups) {
+      json["setups"][setup] = {{"value", p.value}, {"interval", toJson(p.interval)}};
+    }
+  }
+  return json;
+}
+
+Json shrinkJson(const Diagnosis& diagnosis) {
+  Json measurands = Json::array();
+  for (const MeasurandGap& before : diagnosis.before.measurands) {
+    for (const MeasurandGap& after : diagnosis.after->measurands) {
+      if (after.name != before.name) continue;
+      measurands.push_back({{"name", before.name},
+                            {"before", {{"d_bias", before.d_bias}, {"d_cavm", before.d_cavm}}},
+                            {"after", {{"d_bias", after.d_bias}, {"d_cavm", after.d_cavm}}}});
+    }
+  }
+  return {{"fraction", diagnosis.shrink.fraction}, {"interval", toJson(diagnosis.shrink.interval)},
+          {"held_out_samples", diagnosis.held_out}, {"before_total", diagnosis.before.total},
+          {"after_total", diagnosis.after->total},  {"measurands", measurands}};
+}
+
+}  // namespace
+
+Json reportJson(const Diagnosis& diagnosis) {
+  Json where = Json::array();
+  for (const WhereRow& row : diagnosis.where) where.push_back(toJson(row));
+  if (!diagnosis.present) where = Json::array();
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    where[i]["decomposition_block"] =
+        diagnosis.verdict.kind == VerdictKind::kEffect ? diagnosis.causes.front().decomposition_block : "";
+  }
+  Json causes = Json::array();
+  for (const Cause& cause : diagnosis.causes) causes.push_back(toJson(cause));
+  Json report = {{"format", "fidelis-gap"},
+                 {"version", 1},
+                 {"fidelis_version", core::kVersion},
+                 {"experiment", diagnosis.experiment},
+                 {"model", diagnosis.model},
+                 {"synthetic", diagnosis.synthetic},
+                 {"gap", gapJson(diagnosis)},
+                 {"where", where},
+                 {"verdict",
+                  {{"kind", toString(diagnosis.verdict.kind)},
+                   {"names", diagnosis.verdict.names},
+                   {"confidence", diagnosis.verdict.confidence},
+                   {"indistinguishable_from", diagnosis.verdict.indistinguishable_from},
+                   {"text", diagnosis.verdict.text}}},
+                 {"causes", causes}};
+  report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
+  report["next_experiment"] = nullptr;
+  if (diagnosis.next_experiment) {
+    report["next_experiment"] = {{"text", diagnosis.next_experiment->text},
+                                 {"separates", diagnosis.next_experiment->separates},
+                                 {"parameters", diagnosis.next_experiment->parameters}};
+  }
+  report["elapsed_s"] = diagnosis.elapsed_s;
+  return report;
+}
+
+}  // namespace gap

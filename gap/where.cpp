@@ -1,0 +1,299 @@
+#include "gap/where.h"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "core/physics.h"
+#include "gap/discrepancy.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kQuantileGroups = 16;
+constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
+constexpr double kExistenceScale = 0.01; // the total gap counts existence in per cent
+
+using Row = ResidualTable::Row;
+
+/// What a covariate says of a row: a number, or a name.
+struct Covariate {
+  std::string name;
+  bool numeric = true;
+  std::function<double(const Row&)> number;
+  std::function<std::string(const Row&)> text;
+};
+
+/// What of a residual its noise does not explain.
+double beyondError(const Row& row) {
+  return std::sqrt(std::max(0.0, row.value * row.value - 4.0 * row.error * row.error));
+}
+
+double totalGapOf(const std::vector<Row>& rows) {
+  double sum = 0.0;
+  for (const Row& row : rows) sum += row.weight * beyondError(row);
+  return sum;
+}
+
+/// A group of rows with adjacent values (or one name).
+struct Group {
+  double low = 0.0, high = 0.0;
+  std::string name;
+  double gap = 0.0, weight = 0.0, value = 0.0, variance = 0.0;  // sums
+
+  void add(const Row& row) {
+    gap += row.weight * beyondError(row);
+    weight += row.weight;
+    value += row.weight * row.value;
+    variance += row.weight * row.weight * row.error * row.error;
+  }
+  void add(const Group& other) {
+    gap += other.gap;
+    weight += other.weight;
+    value += other.value;
+    variance += other.variance;
+  }
+};
+
+std::vector<Group> numericGroups(const std::vector<Row>& rows, const Covariate& covariate) {
+  std::vector<std::pair<double, const Row*>> sorted;
+  double weight = 0.0;
+  for (const Row& row : rows) {
+    const double x = covariate.number(row);
+    if (!std::isfinite(x)) continue;
+    sorted.emplace_back(x, &row);
+    weight += row.weight;
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Group> groups;
+  double passed = 0.0;
+  for (const auto& [x, row] : sorted) {
+    const auto wanted = static_cast<std::size_t>(passed / weight * kQuantileGroups);
+    const bool same_value = !groups.empty() && x - groups.back().high < 1e-9;
+    if (groups.empty() || (!same_value && wanted >= groups.size())) groups.push_back({x, x, "", 0, 0, 0, 0});
+    groups.back().high = x;
+    groups.back().add(*row);
+    passed += row->weight;
+  }
+  return groups;
+}
+
+std::vector<Group> namedGroups(const std::vector<Row>& rows, const Covariate& covariate) {
+  std::map<std::string, Group> by_name;
+  for (const Row& row : rows) {
+    Group& group = by_name[covariate.text(row)];
+    group.add(row);
+  }
+  std::vector<Group> groups;
+  for (auto& [name, group] : by_name) {
+    group.name = name;
+    groups.push_back(group);
+  }
+  // Worst first: a set of names is then a prefix.
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.gap * b.weight > b.gap * a.weight; });
+  return groups;
+}
+
+struct Best {
+  Group joint;
+  std::size_t first = 0, last = 0;
+  double lift = -1.0;
+  std::size_t tried = 0;
+};
+
+/// The run of groups whose share of the gap exceeds its share of the data most.
+Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight, bool prefixes_only) {
+  Best best;
+  for (std::size_t first = 0; first < (prefixes_only ? 1 : groups.size()); ++first) {
+    Group joint;
+    for (std::size_t last = first; last < groups.size(); ++last) {
+      joint.add(groups[last]);
+      if (last - first + 1 == groups.size()) break;  // everything is no stratum
+      ++best.tried;
+      const double lift = joint.gap / all_gap - joint.weight / all_weight;
+      if (lift > best.lift + 1e-12) {
+        const std::size_t tried = best.tried;
+        best = {joint, first, last, lift, tried};
+      }
+    }
+  }
+  return best;
+}
+
+std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated) {
+  const auto cell = [&replay](const Row& row) -> const Cell& { return replay.samples()[row.sample].layout->cells()[row.cell]; };
+  const auto beam = [&replay, cell](const Row& row) -> const model::Beam& {
+    return replay.samples()[row.sample].beams[cell(row).beam];
+  };
+  const auto mean = [&replay, &simulated](Channel channel) {
+    return [&replay, &simulated, channel](const Row& row) {
+      const CellStatistics& s = simulated[row.sample][row.cell];
+      const CellStatistics& m = replay.samples()[row.sample].statistics[row.cell];
+      return m.count > 0.0 ? m.mean(channel) : s.count > 0.0 ? s.mean(channel) : NAN;
+    };
+  };
+  std::vector<Covariate> list;
+  const bool pooled = replay.samples().front().layout->pooled();
+  if (!pooled) {
+    list.push_back({"range_m", true, [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
+    list.push_back({"azimuth_deg", true, [beam](const Row& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
+    list.push_back({"elevation_deg", true, [beam](const Row& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
+    list.push_back({"incidence_deg", true,
+                    [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; }, nullptr});
+    list.push_back({"time_s", true, [beam](const Row& r) { return beam(r).time_s; }, nullptr});
+    const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
+    std::vector<std::string> objects, materials;
+    for (const model::SceneObject& object : scene.objects) {
+      objects.push_back(object.id);
+      materials.push_back(scene.materials[object.material].name);
+    }
+    const auto named = [cell](std::vector<std::string> names) {
+      return [cell, names](const Row& r) {
+        return cell(r).object < 0 ? std::string("(nothing)") : names[static_cast<std::size_t>(cell(r).object)];
+      };
+    };
+    list.push_back({"object", false, nullptr, named(objects)});
+    list.push_back({"material", false, nullptr, named(materials)});
+  }
+  for (const Channel channel : replay.channels()) {
+    if (channel == kEpw) list.push_back({"epw_m", true, mean(kEpw), nullptr});
+    if (channel == kIntensity) list.push_back({"intensity", true, mean(kIntensity), nullptr});
+  }
+  if (!replay.experiment().sensors.empty()) {
+    list.push_back({"sensor", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->sensor; }});
+  }
+  std::set<std::string> setups, parameters;
+  for (const ReplaySample& sample : replay.samples()) {
+    setups.insert(sample.sample->setup);
+    for (const auto& [name, value] : sample.sample->parameters) parameters.insert(name);
+  }
+  if (setups.size() > 1) {
+    list.push_back({"setup", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->setup; }});
+  }
+  for (const std::string& name : parameters) {
+    if (name == "range_m" && !pooled) continue;  // the covariate of that name is finer
+    list.push_back({name, true,
+                    [&replay, name](const Row& r) {
+                      const auto& values = replay.samples()[r.sample].sample->parameters;
+                      const auto found = values.find(name);
+                      return found == values.end() ? NAN : found->second;
+                    },
+                    nullptr});
+  }
+  return list;
+}
+
+/// Covariates that a person thinks in first; they win where two tell the same story.
+double readability(const std::string& covariate) {
+  if (covariate == "time_s" || covariate == "setup" || covariate == "epw_m" || covariate == "intensity") return 0.85;
+  if (covariate == "elevation_deg" || covariate == "material") return 0.95;
+  return 1.0;
+}
+
+}  // namespace
+
+double ResidualTable::excess() const {
+  double weight = 0.0;
+  for (const Row& row : rows) weight += row.weight;
+  return weight > 0.0 ? totalGapOf(rows) / weight / scale : 0.0;
+}
+
+std::vector<ResidualTable> residualTables(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated,
+                                          const std::vector<int>& simulated_frames) {
+  std::vector<ResidualTable> tables;
+  for (const Channel channel : replay.channels()) {
+    const model::Measurand* measurand = nullptr;
+    for (const model::Measurand& m : replay.experiment().measurands) {
+      if (m.name == nameOf(channel) || m.column == (channel == kRange ? "range_m" : channel == kEpw ? "epw_m" : "intensity")) measurand = &m;
+    }
+    ResidualTable bias{measurand->name, "bias", measurand->unit, measurand->resolution, {}};
+    ResidualTable scatter{measurand->name, "scatter", measurand->unit, measurand->resolution, {}};
+    for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+      for (std::size_t c = 0; c < replay.samples()[s].layout->surfaces(); ++c) {
+        const CellStatistics &m = replay.samples()[s].statistics[c], &x = simulated[s][c];
+        if (m.count == 0.0 || x.count == 0.0) continue;
+        bias.rows.push_back({s, c, m.mean(channel) - x.mean(channel), meanError(replay, channel, m, x), m.count});
+        if (m.count < 5.0 || x.count < 5.0) continue;
+        const double sm = std::sqrt(m.variance(channel)), sx = std::sqrt(x.variance(channel));
+        const double error = std::sqrt(m.variance(channel) / (2.0 * (m.count - 1.0)) + x.variance(channel) / (2.0 * (x.count - 1.0)) +
+                                       std::pow(0.1 * measurand->resolution, 2.0));
+        scatter.rows.push_back({s, c, sm - sx, error, m.count});
+      }
+    }
+    tables.push_back(std::move(bias));
+    tables.push_back(std::move(scatter));
+  }
+  ResidualTable missing{"existence", "missing", "1/shot", kExistenceScale, {}};
+  ResidualTable extra{"existence", "extra", "1/shot", kExistenceScale, {}};
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const ReplaySample& sample = replay.samples()[s];
+    if (sample.layout->pooled()) continue;
+    for (std::size_t c = 0; c < sample.layout->cells().size(); ++c) {
+      const double measured = sample.statistics[c].count / sample.frames;
+      const double expected = simulated[s][c].count / simulated_frames[s];
+      if (measured == 0.0 && expected == 0.0) continue;
+      const double rate = std::clamp(0.5 * (measured + expected), 0.01, 0.99);
+      const double error = std::sqrt(rate * (1.0 - rate) * (1.0 / sample.frames + 1.0 / simulated_frames[s]) + 1e-4);
+      const double value = measured - expected;
+      missing.rows.push_back({s, c, std::min(0.0, value), error, static_cast<double>(sample.frames)});
+      extra.rows.push_back({s, c, std::max(0.0, value), error, static_cast<double>(sample.frames)});
+    }
+  }
+  if (!missing.rows.empty()) tables.push_back(std::move(missing));
+  if (!extra.rows.empty()) tables.push_back(std::move(extra));
+  return tables;
+}
+
+std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
+                                const std::vector<std::vector<CellStatistics>>& simulated) {
+  const std::vector<Covariate> covariates = covariatesOf(replay, simulated);
+  std::vector<WhereRow> result;
+  for (const ResidualTable& table : tables) {
+    const double all_gap = totalGapOf(table.rows);
+    if (all_gap <= 0.0 || table.excess() < kSmallestExcess) continue;
+    double all_weight = 0.0;
+    for (const Row& row : table.rows) all_weight += row.weight;
+    for (const Covariate& covariate : covariates) {
+      const auto groups = covariate.numeric ? numericGroups(table.rows, covariate) : namedGroups(table.rows, covariate);
+      if (groups.size() < 2) continue;
+      const Best best = bestRun(groups, all_gap, all_weight, !covariate.numeric);
+      if (best.lift <= 0.0) continue;
+      WhereRow row;
+      row.measurand = table.measurand;
+      row.component = table.component;
+      row.covariate = covariate.name;
+      row.numeric = covariate.numeric;
+      row.low = groups[best.first].low;
+      row.high = groups[best.last].high;
+      if (!covariate.numeric) {
+        for (std::size_t g = best.first; g <= best.last; ++g) row.names.push_back(groups[g].name);
+        std::sort(row.names.begin(), row.names.end());
+      }
+      row.value = best.joint.value / best.joint.weight;
+      row.unit = table.unit;
+      row.share = best.joint.gap / all_gap;
+      row.size = best.joint.weight / all_weight;
+      const double z = std::abs(best.joint.value) / std::sqrt(std::max(1e-300, best.joint.variance));
+      const double p = 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::min(z, 37.0)));
+      row.p_value = std::min(1.0, p * static_cast<double>(best.tried * covariates.size() * tables.size()));
+      row.score = best.lift * readability(covariate.name);
+      result.push_back(std::move(row));
+    }
+  }
+  // The measurand with the largest gap first; within it the stratum that concentrates it most.
+  std::map<std::pair<std::string, std::string>, double> largest;
+  for (const ResidualTable& table : tables) largest[{table.measurand, table.component}] = table.excess();
+  std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
+    const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
+    return excess_a != excess_b ? excess_a > excess_b : a.score > b.score;
+  });
+  return result;
+}
+
+}  // namespace gap

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gap/replay.h"
+
+namespace gap {
+
+/// A stratum of the measurement that holds a large part of the gap.
+struct WhereRow {
+  std::string measurand;  ///< a channel, or "existence"
+  std::string component;  ///< "bias", "scatter", "missing" or "extra"
+  std::string covariate;
+  bool numeric = true;
+  double low = 0.0;  ///< numeric covariates: [low, high]
+  double high = 0.0;
+  std::vector<std::string> names;  ///< the others
+  double value = 0.0;  ///< measured minus simulated: mean, spread (standard deviation) or echoes per shot
+  std::string unit;
+  double share = 0.0;          ///< of this measurand's gap that lies in the stratum
+  double size = 0.0;           ///< of the detections (shots) that lie in it
+  double p_value = 1.0;        ///< corrected for the search
+  double score = 0.0;          ///< by which rows of one measurand and component are ranked
+};
+
+/// Measured minus simulated of every cell, with everything that is known about it.
+struct ResidualTable {
+  struct Row {
+    std::size_t sample = 0;
+    std::size_t cell = 0;
+    double value = 0.0;   ///< measured - simulated
+    double error = 0.0;   ///< standard error
+    double weight = 0.0;  ///< detections, or shots for existence
+  };
+  std::string measurand;
+  std::string component;
+  std::string unit;
+  double scale = 1.0;  ///< one step of the total gap in this unit: the resolution; 0.01 for existence
+  std::vector<Row> rows;
+
+  /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.
+  [[nodiscard]] double excess() const;
+};
+
+/// Residuals of every channel (bias and scatter) and of existence.
+[[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay,
+                                                        const std::vector<std::vector<CellStatistics>>& simulated,
+                                                        const std::vector<int>& simulated_frames);
+
+/// The best stratum of every covariate in every table, best first: intervals of numeric covariates, sets of the others,
+/// found by exhaustive search over adjacent quantile groups. p-values are corrected for all strata tried (Bonferroni)
+/// and use beams, not single detections, as units.
+[[nodiscard]] std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
+                                              const std::vector<std::vector<CellStatistics>>& simulated);
+
+}  // namespace gap
