@@ -8,6 +8,9 @@ namespace model {
 
 namespace {
 
+/// A surface nearer than this touches the sensor: the beam is lost in it, and 1/r² means nothing there.
+constexpr double kNearest_m = 1e-3;
+
 /// Direction at angular offsets to the left and up in the beam's own plane.
 Vector3 directionOf(const Beam& beam, double left_rad, double up_rad) {
   const double ca = std::cos(beam.azimuth_rad), sa = std::sin(beam.azimuth_rad);
@@ -32,7 +35,7 @@ BeamHits traceBeams(const RayTracer& tracer, std::vector<Beam> beams, const SubR
       }
       tracer.trace(rays, found);
       for (std::size_t i = 0; i < rays_per_beam; ++i) {
-        if (found[i].object < 0) continue;
+        if (found[i].object < 0 || !(found[i].range_m >= kNearest_m)) continue;
         per_beam[b].push_back({found[i].range_m, static_cast<float>(found[i].cos_incidence),
                                static_cast<float>(sub_rays.weight[i]),
                                static_cast<float>(std::atan2(rays[i].direction[1], rays[i].direction[0])),

@@ -19,22 +19,64 @@ Vector3 unit(const Vector3& v) {
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-/// Outward normal of the curved part of a shape at a point of its surface (world frame); the geometric one elsewhere.
-Vector3 exactNormal(const SceneObject& object, const Vector3& point, const Vector3& geometric) {
-  if (std::holds_alternative<Sphere>(object.shape)) {
-    const Vector3& c = object.pose.position_m;
-    return unit({point[0] - c[0], point[1] - c[1], point[2] - c[2]});
+/// An object with what every hit on it needs, worked out once.
+struct Surface {
+  Shape shape;
+  Vector3 position_m;
+  std::array<Vector3, 3> rotation;
+
+  [[nodiscard]] Vector3 localOf(const Vector3& v) const {  // a direction; transposed rotation
+    Vector3 local{};
+    for (std::size_t i = 0; i < 3; ++i) local[i] = rotation[0][i] * v[0] + rotation[1][i] * v[1] + rotation[2][i] * v[2];
+    return local;
   }
-  if (std::holds_alternative<Cylinder>(object.shape)) {
-    const auto r = object.pose.rotation();
-    const Vector3 axis = {r[0][2], r[1][2], r[2][2]};
-    if (std::abs(dot(unit(geometric), axis)) > 0.5) return unit(geometric);  // a lid
-    const Vector3 local = object.pose.toLocal(point);
-    const Vector3 tip = object.pose.toWorld({local[0], local[1], 0.0});
-    return unit({tip[0] - object.pose.position_m[0], tip[1] - object.pose.position_m[1],
-                 tip[2] - object.pose.position_m[2]});
+};
+
+/// Range and |cos| of the incidence angle.
+struct Meeting {
+  double range_m;
+  double cos_incidence;
+};
+
+/// Face at local coordinate `at` along one axis, seen from the ray o + t d.
+Meeting meetFace(const Vector3& o, const Vector3& d, std::size_t axis, double at, double otherwise_m) {
+  return {d[axis] != 0.0 ? (at - o[axis]) / d[axis] : otherwise_m, std::abs(d[axis])};
+}
+
+/// The root of t² a + 2 t b + c = 0 nearest to where Embree met the facet.
+double nearestRoot(double a, double b, double c, double near_m) {
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  const double first = (-b - root) / a, second = (-b + root) / a;
+  return std::abs(first - near_m) < std::abs(second - near_m) ? first : second;
+}
+
+/// Embree works in single precision and on facets; it says which surface was met and about where. The shape's own
+/// equation then gives range and incidence exactly; meshes are their facets.
+Meeting meetExactly(const Surface& surface, const Ray& ray, double near_m, const Vector3& facet_normal) {
+  const Vector3 o = surface.localOf({ray.origin_m[0] - surface.position_m[0], ray.origin_m[1] - surface.position_m[1],
+                                     ray.origin_m[2] - surface.position_m[2]});
+  const Vector3 d = surface.localOf(ray.direction);
+  const Vector3 facet = surface.localOf(facet_normal);
+  if (std::holds_alternative<Rectangle>(surface.shape)) return meetFace(o, d, 0, 0.0, near_m);
+  if (std::holds_alternative<Plane>(surface.shape)) return meetFace(o, d, 2, 0.0, near_m);
+  if (const auto* box = std::get_if<Box>(&surface.shape)) {
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k) axis = std::abs(facet[k]) > std::abs(facet[axis]) ? k : axis;
+    return meetFace(o, d, axis, std::copysign(box->size_m[axis] / 2.0, o[axis] + near_m * d[axis]), near_m);
   }
-  return unit(geometric);
+  if (const auto* sphere = std::get_if<Sphere>(&surface.shape)) {
+    const double t = nearestRoot(1.0, dot(o, d), dot(o, o) - sphere->radius_m * sphere->radius_m, near_m);
+    return {t, std::abs(dot(o, d) + t) / sphere->radius_m};
+  }
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface.shape)) {
+    if (std::abs(facet[2]) > 0.5) {  // a lid
+      return meetFace(o, d, 2, std::copysign(cylinder->height_m / 2.0, o[2] + near_m * d[2]), near_m);
+    }
+    const double across = d[0] * d[0] + d[1] * d[1], along = o[0] * d[0] + o[1] * d[1];
+    const double t = nearestRoot(across, along, o[0] * o[0] + o[1] * o[1] - cylinder->radius_m * cylinder->radius_m, near_m);
+    return {t, std::abs(along + t * across) / cylinder->radius_m};
+  }
+  return {near_m, std::abs(dot(facet_normal, ray.direction))};
 }
 
 }  // namespace
@@ -42,7 +84,7 @@ Vector3 exactNormal(const SceneObject& object, const Vector3& point, const Vecto
 struct RayTracer::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<SceneObject> objects;
+  std::vector<Surface> surfaces;
 
   ~Embree() {
     if (scene) rtcReleaseScene(scene);
@@ -80,11 +122,9 @@ struct RayTracer::Embree {
 
   [[nodiscard]] RayHit toHit(const Ray& ray, const RTCRayHit& found) const {
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    const double range = found.ray.tfar;
-    const Vector3 point = {ray.origin_m[0] + range * ray.direction[0], ray.origin_m[1] + range * ray.direction[1],
-                           ray.origin_m[2] + range * ray.direction[2]};
-    const Vector3 normal = exactNormal(objects[found.hit.geomID], point, {found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z});
-    return {range, std::min(1.0, std::abs(dot(normal, ray.direction))), static_cast<std::int32_t>(found.hit.geomID)};
+    const Meeting met = meetExactly(surfaces[found.hit.geomID], ray, found.ray.tfar,
+                                    unit({found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z}));
+    return {met.range_m, std::min(1.0, met.cos_incidence), static_cast<std::int32_t>(found.hit.geomID)};
   }
 };
 
@@ -92,7 +132,9 @@ RayTracer::RayTracer(const Scene& scene) : embree_(std::make_unique<Embree>()) {
   embree_->device = rtcNewDevice(nullptr);
   embree_->scene = rtcNewScene(embree_->device);
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
-  embree_->objects = scene.objects;
+  for (const SceneObject& object : scene.objects) {
+    embree_->surfaces.push_back({object.shape, object.pose.position_m, object.pose.rotation()});
+  }
   for (unsigned id = 0; id < scene.objects.size(); ++id) {
     const SceneObject& object = scene.objects[id];
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {

@@ -22,7 +22,8 @@ struct RayHit {
 };
 
 /// The scene as the ray tracer sees it (Embree). Building it is the costly part; tracing is thread-safe.
-/// Spheres and cylinders have exact normals; cylinders are traced as 256-sided prisms.
+/// Ranges and incidence angles come from the shapes' own equations in double precision; only the outline of a cylinder
+/// is that of a 256-sided prism, and a mesh is its facets in single precision.
 class RayTracer {
  public:
   /// Throws InputError if a mesh file cannot be read.

@@ -165,7 +165,8 @@ void SignalChain::fireBeam(std::uint32_t index, const BeamHits& geometry, const 
                            Scratch& scratch, std::vector<Shot>& out) const {
   const Beam& beam = geometry.beams[index];
   std::vector<Pulse> pulses = pulsesOf(beam, geometry.of(index), scene);
-  const double share = settings_.receiver.noise_w > 0.0 ? 1.0 - kLargestNoise : 1.0;
+  // The tails below the lowest level are cut off; a tenth of the threshold keeps that cut away from the crossings.
+  const double share = 1.0 - kLargestNoise;
   const double spread = fluctuating_effects_.empty() ? 1.0 : 0.1;  // a bright fluctuation lowers the level further
   const double width_m = core::kMetresPerNanosecond * settings_.emitter.pulse_fwhm_ns / 2.0;
   const auto parts = partsOf(pulses, width_m, settings_.receiver.threshold_w * share * spread);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/file.h"
 
 namespace model {
 
@@ -51,11 +52,21 @@ Triangles cylinderTriangles(const Cylinder& cylinder) {
   return triangles;
 }
 
+/// assimp 5.2 never returns from a PLY header that does not end.
+void refuseEndlessHeader(const std::filesystem::path& file) {
+  const std::string content = core::readFile(file);
+  if (content.rfind("ply", 0) == 0 && content.find("end_header") == std::string::npos) {
+    throw core::InputError({.file = file}, "the mesh cannot be read: its PLY header has no 'end_header'.",
+                           "The file is cut off; copy or export it again.");
+  }
+}
+
 Triangles meshTriangles(const Mesh& mesh) {
   if (!std::filesystem::is_regular_file(mesh.file)) {
     throw core::InputError({.file = mesh.file}, "the mesh file does not exist.",
                            "Check the name; it is relative to experiment.json.");
   }
+  refuseEndlessHeader(mesh.file);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(
       mesh.file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices);

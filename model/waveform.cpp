@@ -47,7 +47,8 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double 
   // exp(-a (x + d)^2) = exp(-a x^2) · exp(-a d (2x + d)): two multiplications a sample, outwards from the pulse's centre.
   const double a = kFourLn2 / (fwhm_m * fwhm_m);
   const double second = std::exp(-2.0 * a * step_m_ * step_m_);
-  const auto cut = static_cast<std::size_t>(reach / step_m_) + 2;
+  // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's peak.
+  const auto cut = static_cast<std::size_t>(reachOf(total_w, 0.01 * lowest_level_w, fwhm_m) / step_m_) + 2;
   for (const Pulse& pulse : pulses) {
     const auto centre = static_cast<std::size_t>((pulse.range_m - start_m_) / step_m_);
     for (const int direction : {1, -1}) {
