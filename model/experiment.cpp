@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "model/triangles.h"
 
 namespace model {
 
@@ -53,6 +54,17 @@ Role readRole(core::JsonObject& object) {
   return role == "prediction" ? Role::kPrediction : Role::kValidation;
 }
 
+/// A file of the package. Simulating and importing write there, so it must not leave the folder.
+std::filesystem::path insidePackage(core::JsonObject& object, const std::string& key, const Experiment& experiment) {
+  const std::filesystem::path given = object.text(key);
+  const auto normal = given.lexically_normal();
+  if (given.empty() || given.is_absolute() || *normal.begin() == ".." || !normal.has_filename() || normal == ".") {
+    object.fail(key, "'" + given.string() + "' does not name a file inside the package.",
+                "Copy the file into the folder of experiment.json and give its place relative to it.");
+  }
+  return experiment.folder() / given;
+}
+
 Sample readSample(core::JsonObject& object, const Experiment& experiment) {
   Sample sample;
   sample.id = object.text("id");
@@ -68,9 +80,9 @@ Sample readSample(core::JsonObject& object, const Experiment& experiment) {
                 sample.epistemic.size(), sample.epistemic.size()), "Keep at most 8 that matter.");
   }
   sample.frames = static_cast<int>(object.integer("frames", {.min = 1, .max = 10'000'000}));
-  if (object.has("measurements")) sample.measurements = experiment.folder() / object.text("measurements");
+  if (object.has("measurements")) sample.measurements = insidePackage(object, "measurements", experiment);
   sample.setup = object.textOr("setup", sample.id);
-  if (object.has("beams")) sample.beams = experiment.folder() / object.text("beams");
+  if (object.has("beams")) sample.beams = insidePackage(object, "beams", experiment);
   if (!experiment.sensors.empty()) {
     sample.sensor = object.choice("sensor", experiment.sensors);
   } else {
@@ -79,10 +91,26 @@ Sample readSample(core::JsonObject& object, const Experiment& experiment) {
   return sample;
 }
 
+/// Patches may add what an experiment can hold, and nothing else.
+void refuseNewKeys(const Experiment& experiment, const Sample& sample, const json& patched) {
+  static const std::vector<std::string> known{"format", "version", "id", "title", "source", "sensor", "sensors", "measurands",
+                                              "environment", "materials", "scene", "gates", "samples", "columns"};
+  for (const auto& item : patched.items()) {
+    const bool fine = std::find(known.begin(), known.end(), item.key()) != known.end() || item.key().rfind("x-", 0) == 0;
+    if (fine) continue;
+    const std::string nearest = core::nearestName(item.key(), known);
+    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
+                           "adds the unknown key '/" + item.key() + "'.",
+                           nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '/" + nearest + "'?");
+  }
+}
+
 /// The experiment's JSON with the sample's patch applied.
 json patched(const Experiment& experiment, const Sample& sample) {
   try {
-    return experiment.json.patch(sample.patch);
+    json value = experiment.json.patch(sample.patch);
+    if (!sample.patch.empty()) refuseNewKeys(experiment, sample, value);
+    return value;
   } catch (const json::exception& error) {
     throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
                            std::string("cannot be applied: ") + error.what() + ".",
@@ -123,6 +151,15 @@ void readSensors(core::JsonObject& object, Experiment& experiment) {
   } else {
     (void)resolveSensorProfile(object.raw("sensor"), experiment.file, "/sensor");
   }
+}
+
+void readColumns(core::JsonObject columns, Experiment& experiment) {
+  static const std::vector<std::string> known{"frame", "time_s", "layer", "azimuth_rad", "elevation_rad",
+                                              "echo",  "range_m", "epw_m", "intensity"};
+  for (const std::string& name : known) {
+    if (columns.has(name)) experiment.columns[name] = columns.text(name);
+  }
+  columns.finish();
 }
 
 void readGates(core::JsonObject& object, Experiment& experiment, const Scene& scene) {
@@ -182,10 +219,7 @@ Experiment parseExperiment(json value, const std::filesystem::path& file) {
   readSensors(object, experiment);
   object.eachObject("measurands", [&](core::JsonObject& item) { experiment.measurands.push_back(readMeasurand(item)); });
   if (experiment.measurands.empty()) object.fail("measurands", "is missing or empty.", "Name at least one measurand.");
-  if (object.has("columns")) {
-    core::JsonObject columns = object.object("columns");
-    for (const std::string& key : columns.keys()) experiment.columns[key] = columns.text(key);
-  }
+  if (object.has("columns")) readColumns(object.object("columns"), experiment);
   const Situation base = readSituation(object);
   readGates(object, experiment, base.scene);
   std::set<std::string> ids;
@@ -237,19 +271,40 @@ core::Detections readMeasurements(const Experiment& experiment, const Sample& sa
   return core::readDetections(sample.measurements, experiment.columns);
 }
 
+namespace {
+
+/// The object's own box: lowest and highest corner in its local frame.
+std::pair<Vector3, Vector3> localBox(const Shape& shape) {
+  if (!std::holds_alternative<Mesh>(shape)) {
+    const Vector3 half = halfExtents(shape);
+    return {{-half[0], -half[1], -half[2]}, half};
+  }
+  const Triangles triangles = trianglesOf(shape);
+  std::pair<Vector3, Vector3> box{triangles.vertices.front(), triangles.vertices.front()};
+  for (const Vector3& vertex : triangles.vertices) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.first[k] = std::min(box.first[k], vertex[k]);
+      box.second[k] = std::max(box.second[k], vertex[k]);
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
 core::Detections insideGate(const core::Detections& detections, const Situation& situation, const Gate& gate) {
   const auto object = std::find_if(situation.scene.objects.begin(), situation.scene.objects.end(),
                                    [&](const SceneObject& o) { return o.id == gate.object; });
   core::Detections inside;
   if (object == situation.scene.objects.end()) return inside;
-  const Vector3 half = halfExtents(object->shape);
-  const auto within = [&](std::size_t i) {
+  const auto [low, high] = localBox(object->shape);
+  const auto within = [&, low = low, high = high](std::size_t i) {
     const double ce = std::cos(detections.elevation_rad[i]);
     const Vector3 local = object->pose.toLocal({detections.range_m[i] * ce * std::cos(detections.azimuth_rad[i]),
                                                 detections.range_m[i] * ce * std::sin(detections.azimuth_rad[i]),
                                                 detections.range_m[i] * std::sin(detections.elevation_rad[i])});
     for (std::size_t k = 0; k < 3; ++k) {
-      if (std::abs(local[k]) > half[k] + gate.margin_m) return false;
+      if (local[k] < low[k] - gate.margin_m || local[k] > high[k] + gate.margin_m) return false;
     }
     return true;
   };

@@ -71,7 +71,8 @@ struct Scene {
 /// Reads `"materials"` and `"scene"` of an experiment object. Mesh files are relative to the experiment's file.
 [[nodiscard]] Scene readScene(core::JsonObject& experiment);
 
-/// Half extents of the object's own box around its local origin (for gates); planes are unbounded.
+/// Half extents of the object's own box around its local origin; planes and meshes (which know theirs only once they
+/// are read) are unbounded.
 [[nodiscard]] Vector3 halfExtents(const Shape& shape);
 
 }  // namespace model

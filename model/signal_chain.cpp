@@ -52,18 +52,24 @@ struct SignalChain::Scratch {
   std::vector<Echo> echoes;
 };
 
+core::Random SignalChain::Drawing::stream(core::Random::Key key) const {
+  key.purpose = purpose;
+  return core::Random(key);
+}
+
 SignalChain::SignalChain(const SensorProfile& sensor, const std::vector<ActiveEffect>& effects,
                          const Environment& environment) {
   settings_.emitter = sensor.emitter;
   settings_.receiver = sensor.receiver;
-  settings_.receiver.saturation_w.reset();  // clips only with the effect on
   settings_.detection = sensor.detection;
-  for (const ActiveEffect& active : effects) effects_.push_back(findEffect(active.name)->make(active.parameters));
-  for (const auto& effect : effects_) {
+  for (const ActiveEffect& active : effects) {
+    effects_.push_back(findEffect(active.name)->make(active.parameters));
+    const Effect* effect = effects_.back().get();
     effect->prepare(settings_, environment);
-    if (effect->changesPower()) power_effects_.push_back(effect.get());
-    if (effect->fluctuates()) fluctuating_effects_.push_back(effect.get());
-    if (effect->reports()) reporting_effects_.push_back(effect.get());
+    const std::uint32_t purpose = core::purposeOf(active.name.c_str());
+    if (effect->changesPower()) power_effects_.push_back(effect);
+    if (effect->fluctuates()) fluctuating_effects_.push_back({effect, purpose});
+    if (effect->reports()) reporting_effects_.push_back({effect, purpose});
   }
 }
 
@@ -119,11 +125,15 @@ Echo SignalChain::toEcho(const Stretch& stretch) const {
   return echo;
 }
 
-void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, core::Random& random,
+void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, const core::Random::Key& key,
                             Scratch& scratch) const {
   const Receiver& receiver = settings_.receiver;
+  core::Random random(key);
   double gain = 1.0;
-  for (const Effect* effect : fluctuating_effects_) gain *= effect->fluctuation(beam, random);
+  for (const Drawing& drawing : fluctuating_effects_) {
+    core::Random own = drawing.stream(key);
+    gain *= drawing.effect->fluctuation(beam, own);
+  }
   scratch.stretches.clear();
   scratch.echoes.clear();
   for (const WaveformPart& part : parts) {
@@ -137,11 +147,11 @@ void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& p
   }
   mergeNearStretches(scratch.stretches, settings_.detection.echo_separation_m);
   for (const Stretch& stretch : scratch.stretches) scratch.echoes.push_back(toEcho(stretch));
-  finish(scratch.echoes, random);
+  finish(scratch.echoes, random, key);
 }
 
 /// Everything behind the detection of echoes: time base, noise, losses, rounding, window, numbering.
-void SignalChain::finish(std::vector<Echo>& echoes, core::Random& random) const {
+void SignalChain::finish(std::vector<Echo>& echoes, core::Random& random, const core::Random::Key& key) const {
   const DetectionStage& stage = settings_.detection;
   for (Echo& echo : echoes) {
     for (const auto& effect : effects_) effect->process(echo, settings_);
@@ -150,7 +160,10 @@ void SignalChain::finish(std::vector<Echo>& echoes, core::Random& random) const 
     echo.range_m += stage.range_noise_m * range_noise;
     echo.epw_m += stage.epw_noise_m * epw_noise;
   }
-  for (const Effect* effect : reporting_effects_) effect->report(echoes, settings_, random);
+  for (const Drawing& drawing : reporting_effects_) {
+    core::Random own = drawing.stream(key);
+    drawing.effect->report(echoes, settings_, own);
+  }
   for (Echo& echo : echoes) {
     echo.range_m = rounded(echo.range_m, stage.range_resolution_m);
     echo.epw_m = std::max(0.0, rounded(echo.epw_m, stage.epw_resolution_m));
@@ -172,12 +185,12 @@ void SignalChain::fireBeam(std::uint32_t index, const BeamHits& geometry, const 
   const auto parts = partsOf(pulses, width_m, settings_.receiver.threshold_w * share * spread);
   if (parts.empty() && reporting_effects_.empty()) return;
   for (int frame = 0; frame < options.frames; ++frame) {
-    core::Random random({.seed = options.seed,
-                         .sample = options.sample,
-                         .frame = static_cast<std::uint32_t>(frame),
-                         .beam = index,
-                         .purpose = core::purposeOf("receiver")});
-    fireFrame(beam, parts, random, scratch);
+    const core::Random::Key key{.seed = options.seed,
+                                .sample = options.sample,
+                                .frame = static_cast<std::uint32_t>(frame),
+                                .beam = index,
+                                .purpose = core::purposeOf("receiver")};
+    fireFrame(beam, parts, key, scratch);
     std::int32_t number = 0;
     for (const Echo& echo : scratch.echoes) {
       out.push_back({index, frame, ++number, echo.range_m, echo.epw_m, kWattToNanowatt * echo.peak_w});

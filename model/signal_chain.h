@@ -51,17 +51,24 @@ class SignalChain {
 
  private:
   struct Scratch;
+  /// An effect that draws random numbers has a stream of its own: switching it on changes nobody else's noise.
+  struct Drawing {
+    const Effect* effect;
+    std::uint32_t purpose;
+    [[nodiscard]] core::Random stream(core::Random::Key key) const;
+  };
   void fireBeam(std::uint32_t index, const BeamHits& geometry, const Scene& scene, const RunOptions& options,
                 Scratch& scratch, std::vector<Shot>& out) const;
-  void fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, core::Random& random, Scratch& scratch) const;
+  void fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, const core::Random::Key& key,
+                 Scratch& scratch) const;
   [[nodiscard]] Echo toEcho(const Stretch& stretch) const;
-  void finish(std::vector<Echo>& echoes, core::Random& random) const;
+  void finish(std::vector<Echo>& echoes, core::Random& random, const core::Random::Key& key) const;
 
   ChainSettings settings_;
   std::vector<std::unique_ptr<Effect>> effects_;
   std::vector<const Effect*> power_effects_;
-  std::vector<const Effect*> fluctuating_effects_;
-  std::vector<const Effect*> reporting_effects_;
+  std::vector<Drawing> fluctuating_effects_;
+  std::vector<Drawing> reporting_effects_;
 };
 
 /// Detections with the directions of their beams; the columns that the profile puts out.

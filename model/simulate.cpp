@@ -1,5 +1,11 @@
 #include "model/simulate.h"
 
+#include <cerrno>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+#include <system_error>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/version.h"
@@ -21,11 +27,25 @@ void copyReferenced(const Experiment& experiment, const std::filesystem::path& f
   for (const Sample& sample : experiment.samples) {
     for (const std::filesystem::path& file : filesOf(experiment, sample)) {
       if (file == experiment.file || file == sample.measurements) continue;
-      const auto target = folder / std::filesystem::relative(file, experiment.folder());
-      std::filesystem::create_directories(target.parent_path());
-      std::filesystem::copy_file(file, target, std::filesystem::copy_options::overwrite_existing);
+      const auto place = file.lexically_normal().lexically_relative(experiment.folder().lexically_normal());
+      if (place.empty() || *place.begin() == "..") {
+        throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "'"},
+                               "refers to " + file.string() + ", which lies outside the package.",
+                               "Copy the file into the package: the simulated one takes its files along.");
+      }
+      std::filesystem::create_directories((folder / place).parent_path());
+      std::filesystem::copy_file(file, folder / place, std::filesystem::copy_options::overwrite_existing);
     }
   }
+}
+
+/// A sample's id as the name of a file.
+std::string fileNameOf(std::string id) {
+  for (char& c : id) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
+    if (!plain) c = '_';
+  }
+  return id;
 }
 
 nlohmann::json simulatedExperimentJson(const Experiment& experiment, const LidarModel& model) {
@@ -33,13 +53,55 @@ nlohmann::json simulatedExperimentJson(const Experiment& experiment, const Lidar
   json["source"] = "synthetic: simulated by fidelis " + std::string(core::kVersion) + " with the model '" + model.id +
                    "' after the experiment '" + experiment.id + "'";
   json.erase("columns");  // the simulated files have our own column names
+  std::set<std::filesystem::path> written{"experiment.json"};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
     if (experiment.samples[i].measurements.empty()) {
-      json["samples"][i]["measurements"] = "measurements/" + experiment.samples[i].id + ".csv";
+      json["samples"][i]["measurements"] = "measurements/" + fileNameOf(experiment.samples[i].id) + ".csv";
+    }
+    const std::string file = json["samples"][i]["measurements"];
+    if (!written.insert(std::filesystem::path(file).lexically_normal()).second) {
+      throw core::InputError({.file = experiment.file, .item = "/samples/" + std::to_string(i) + "/measurements"},
+                             "'" + file + "' would be written twice.", "Give every sample a file of its own.");
     }
   }
   return json;
 }
+
+}  // namespace
+
+namespace {
+
+core::InputError cannotWrite(const std::filesystem::path& folder, const std::error_code& code) {
+  return {{.file = folder}, "cannot be written: " + code.message() + ".",
+          "Check that its parent folder exists and that you may write there."};
+}
+
+/// Absolute and without a slash at its end.
+std::filesystem::path wholeName(const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+/// A new folder of its own beside the one that is to appear, gone at the end unless it was renamed.
+class PartFolder {
+ public:
+  explicit PartFolder(const std::filesystem::path& target) {
+    std::string name = wholeName(target).string() + ".part-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw cannotWrite(target, {errno, std::generic_category()});
+    path_ = name;
+  }
+  ~PartFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace
 
@@ -77,30 +139,24 @@ void simulatePackage(const Experiment& experiment, const LidarModel& model, cons
   if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder))) {
     throw core::InputError({.file = folder}, "exists and is not an empty folder.", "Name a new folder for the result.");
   }
-  const fs::path part = folder.string() + ".part";
-  fs::remove_all(part);
+  const nlohmann::json json = simulatedExperimentJson(experiment, model);
+  const PartFolder part(folder);
   try {
-    fs::create_directories(part);
-    const nlohmann::json json = simulatedExperimentJson(experiment, model);
-    copyReferenced(experiment, part);
+    copyReferenced(experiment, part.path());
     for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
       core::stopIfCancelled(progress);
       progress.report(static_cast<double>(i) / static_cast<double>(experiment.samples.size()),
                       "simulating " + experiment.samples[i].id);
-      const fs::path file = part / json["samples"][i]["measurements"].get<std::string>();
+      const fs::path file = part.path() / json["samples"][i]["measurements"].get<std::string>();
       fs::create_directories(file.parent_path());
       core::writeDetections(file, simulate(experiment, model, i, {}, seed));
     }
-    core::writeJson(part / "experiment.json", json);
-    fs::remove_all(folder);
-    fs::rename(part, folder);
+    core::writeJson(part.path() / "experiment.json", json);
+    fs::permissions(part.path(), fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec,
+                    fs::perm_options::add);
+    fs::rename(part.path(), wholeName(folder));  // takes the place of an empty folder, of no other
   } catch (const fs::filesystem_error& error) {
-    fs::remove_all(part);
-    throw core::InputError({.file = folder}, std::string("cannot be written: ") + error.code().message() + ".",
-                           "Check that its parent folder exists and that you may write there.");
-  } catch (...) {
-    fs::remove_all(part);
-    throw;
+    throw cannotWrite(folder, error.code());
   }
   progress.report(1.0, "done");
 }
