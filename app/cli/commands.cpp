@@ -2,6 +2,7 @@
 
 namespace app {
 
+void addAcceptCommand(CLI::App& program, Session& session);
 void addCepraCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
@@ -14,7 +15,8 @@ void addSpecCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand, addCepraCommand, addSpecCommand, addMetricCommand, addSimulateCommand, addGapCommand,
+      addImportCommand, addCepraCommand,    addSpecCommand, addAcceptCommand,
+      addMetricCommand, addSimulateCommand, addGapCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

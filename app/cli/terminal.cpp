@@ -31,6 +31,12 @@ void TerminalProgress::report(double fraction, std::string_view doing) {
   if (quiet_) return;
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
   if (on_terminal_) {
+    if (fraction >= 1.0) {  // done: what follows begins on a clean line
+      if (line_open_) fmt::print(stderr, "\r\033[K");
+      std::fflush(stderr);
+      line_open_ = false;
+      return;
+    }
     if (percent == last_percent_ && doing == last_doing_) return;
     const int filled = percent / 5;
     fmt::print(stderr, "\r\033[K[{:#<{}}{: <{}}] {:3d} %  {:.50}", "", filled, "", 20 - filled, percent, doing);
