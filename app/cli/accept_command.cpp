@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -10,6 +8,7 @@
 #include "acceptance/run.h"
 #include "app/cli/commands.h"
 #include "app/cli/session.h"
+#include "app/cli/signature.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/text.h"
@@ -28,11 +27,6 @@ struct Options {
   std::string json;
   std::string html;
 };
-
-std::string nowUtc() {
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
-}
 
 /// One line a test: verdict, id, and the numbers that decided.
 std::string line(const acceptance::TestResult& test) {
@@ -61,7 +55,7 @@ void accept(const Options& options, Session& session) {
   specs::ProjectStore store = specs::ProjectStore::open(options.project);
   acceptance::RunOptions run_options = {.tests = options.tests, .model = {}, .seed = session.seed};
   if (!options.model.empty()) run_options.model = options.model;
-  const std::string started_at = nowUtc();
+  const std::string started_at = signatureOf("").when;
   const acceptance::RunResult run = acceptance::runTests(store, run_options, session.progress);
 
   if (!options.html.empty()) core::writeFile(options.html, acceptance::htmlReport(run));
