@@ -178,7 +178,7 @@ void addValues(Page& page, const TestResult& test) {
       row.push_back(report::text(found == sample.values.end() ? "–" : number(found->second)));
     }
   }
-  page.beginDetails("All values" + (test.unit.empty() ? "" : ", lengths of the metrics in " + test.unit));
+  page.beginDetails("All values" + (test.unit.empty() ? "" : " (distances of the distributions in " + test.unit + ")"));
   page.table(header, rows);
   page.endDetails();
 }
