@@ -9,7 +9,8 @@
 
 namespace specs {
 
-/// A document made from a specification. The same specification gives the same bytes: no clock, no paths of this machine.
+/// A document made from a specification. The same specification gives the same bytes: no clock, no paths of this
+/// machine.
 struct DocumentFormat {
   std::string_view name;   ///< of the option: "html"
   std::string_view title;  ///< for the help
@@ -20,7 +21,8 @@ struct DocumentFormat {
 /// All of them; a new one is one file and one line in documents.cpp.
 [[nodiscard]] std::span<const DocumentFormat> documentFormats();
 
-/// One self-contained page: every id is an anchor, traces lead both ways, status by word and colour, made for print too.
+/// One self-contained page: every id is an anchor, traces lead both ways, status by word and colour, made for print
+/// too.
 void writeHtml(const Specification& specification, const std::filesystem::path& file);
 [[nodiscard]] std::string htmlText(const Specification& specification);
 

@@ -33,7 +33,7 @@ nav a { margin-right: 1.2rem; white-space: nowrap; }
 .item p { margin: .3rem 0; white-space: pre-line; }
 .badge { display: inline-block; font-size: .78rem; font-weight: 600; padding: 0 .55em; border-radius: 1em;
   border: 1px solid currentColor; margin-left: .35em; white-space: nowrap; vertical-align: .08em; }
-.accepted > .badge-status, .passed { color: #1c6b40; } .badge.s-accepted, .badge.s-passed { color: #1c6b40; background: #e7f5ec; }
+.badge.s-accepted, .badge.s-passed { color: #1c6b40; background: #e7f5ec; }
 .badge.s-rejected, .badge.s-failed, .badge.s-error { color: #9c1c15; background: #fbeae9; }
 .badge.s-under-review, .badge.s-warning { color: #7a5200; background: #fff5dc; }
 .badge.s-skipped, .badge.s-level, .badge.s-note { color: #4a555d; background: #eef1f4; }
@@ -41,9 +41,8 @@ dl { display: grid; grid-template-columns: 11rem 1fr; gap: .15rem 1rem; margin: 
 dt { color: var(--soft); } dd { margin: 0; white-space: pre-line; overflow-wrap: anywhere; }
 code { font-family: "DejaVu Sans Mono", Consolas, monospace; font-size: .88em; background: var(--tint); padding: .1em .3em; }
 .trace { margin-top: .6rem; padding-top: .5rem; border-top: 1px dashed var(--line); font-size: .9rem; }
-.trace div { padding-left: 7.5rem; text-indent: -7.5rem; } .trace b { display: inline-block; width: 7.5rem; text-indent: 0;
-  font-weight: 400; color: var(--soft); }
-.trace a { text-indent: 0; margin-right: 1rem; }
+.trace div { display: grid; grid-template-columns: 7.5rem 1fr; }
+.trace b { font-weight: 400; color: var(--soft); } .trace .end { display: block; }
 table { border-collapse: collapse; width: 100%; font-size: .88rem; } thead { display: table-header-group; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .6rem; border-bottom: 1px solid var(--line); }
 th { background: var(--tint); } td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
@@ -77,8 +76,13 @@ std::string traceLine(const LinkIndex& index, const char* heading, const std::ve
                       std::string Link::*end) {
   std::string line = std::string("<div><b>") + heading + "</b>";
   if (links.empty()) line += "<span class=\"none\">nothing</span>";
-  for (const Link& link : links) line += anchor(index, link.*end) + (link.suspect ? badge("suspect") : "") + " ";
-  return line + "</div>\n";
+  line += "<span>";
+  for (const Link& link : links) {
+    const Entry* entry = index.find(link.*end);
+    line += "<span class=\"end\">" + anchor(index, link.*end) + (link.suspect ? badge("suspect") : "") +
+            (entry ? " " + escaped(entry->title) : "") + "</span>";
+  }
+  return line + "</span></div>\n";
 }
 
 std::string traces(const LinkIndex& index, const std::string& id) {
@@ -86,7 +90,9 @@ std::string traces(const LinkIndex& index, const std::string& id) {
          traceLine(index, "Leads to", index.followersOf(id), &Link::to) + "</div>\n";
 }
 
-std::string styleOf(Status status) { return status == Status::UnderReview ? "under-review" : std::string(name(status)); }
+std::string styleOf(Status status) {
+  return status == Status::UnderReview ? "under-review" : std::string(name(status));
+}
 
 template <class T>
 std::string itemCard(const T& item, const Specification& specification, const LinkIndex& index) {
@@ -184,9 +190,10 @@ std::string relevanceRow(const cepra::Row& row, const LinkIndex& index) {
   std::string followers;
   for (const Link& link : index.followersOf(row.key)) followers += anchor(index, link.to) + " ";
   return "<tr id=\"" + escaped(row.key) + "\"><td><span class=\"id\">" + escaped(row.key) + "</span>" +
-         (row.gone ? badge("gone") : "") + (row.isSuspect() ? badge("suspect") : "") + "</td><td>" + path + "</td><td>" +
-         causes + "</td><td>" + scoreCell(row.occurrence) + "</td><td>" + scoreCell(row.impact) + "</td><td class=\"n\">" +
-         (row.relevance() ? std::to_string(*row.relevance()) : "") + "</td><td>" + followers + "</td></tr>\n";
+         (row.gone ? badge("gone") : "") + (row.isSuspect() ? badge("suspect") : "") + "</td><td>" + path +
+         "</td><td>" + causes + "</td><td>" + scoreCell(row.occurrence) + "</td><td>" + scoreCell(row.impact) +
+         "</td><td class=\"n\">" + (row.relevance() ? std::to_string(*row.relevance()) : "") + "</td><td>" + followers +
+         "</td></tr>\n";
 }
 
 /// Only rows that somebody worked on: large graphs have thousands.
@@ -207,7 +214,7 @@ std::string relevance(const Specification& specification, const LinkIndex& index
         "<th>Impact</th><th class=\"n\">O+I</th><th>Requirements</th></tr></thead><tbody>\n" +
         rows + "</tbody></table>\n";
   }
-  return html + "<p class=\"none\">" + std::to_string(silent) + " further rows are neither scored nor linked.</p>\n";
+  return html + "<p class=\"none\">Further rows, neither scored nor linked: " + std::to_string(silent) + ".</p>\n";
 }
 
 std::string findings(const Specification& specification) {
@@ -217,8 +224,8 @@ std::string findings(const Specification& specification) {
   html += "<table><thead><tr><th>Item</th><th>Level</th><th>What</th></tr></thead><tbody>\n";
   const LinkIndex index(specification);
   for (const RuleFinding& finding : found) {
-    const std::string item =
-        index.find(finding.item) ? anchor(index, finding.item) : "<span class=\"id\">" + escaped(finding.item) + "</span>";
+    const std::string item = index.find(finding.item) ? anchor(index, finding.item)
+                                                      : "<span class=\"id\">" + escaped(finding.item) + "</span>";
     html += "<tr><td>" + item + "</td><td>" + badge(percollect::toString(finding.severity)) + "</td><td>" +
             escaped(finding.text) + " " + escaped(finding.remedy) + "</td></tr>\n";
   }
@@ -230,25 +237,27 @@ std::string findings(const Specification& specification) {
 std::string htmlText(const Specification& specification) {
   const LinkIndex index(specification);
   const std::string title = "Specification: " + escaped(specification.project);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-                     title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
   if (specification.graph) {
     html += "<p class=\"lead\">Cause-effect graph “" + escaped(specification.graph->tree) + "”, imported " +
             escaped(specification.graph->when) + ", SHA-256 <span class=\"id\">" +
             escaped(specification.graph->sha256.substr(0, 16)) + "…</span></p>\n";
   }
-  html += "<nav><a href=\"#overview\">Overview</a><a href=\"#general\">General</a><a href=\"#object-model\">Object model"
-          "</a><a href=\"#detection-model\">Detection model</a><a href=\"#tests\">Tests</a><a href=\"#experiment-data\">"
-          "Experiment data</a><a href=\"#reference-data\">Reference data</a><a href=\"#relevance\">Relevance</a>"
-          "<a href=\"#findings\">Open points</a></nav>\n";
-  html += overview(specification) + requirementSections(specification, index) +
-          itemSection("tests", "Acceptance tests", specification.tests, specification, index) +
-          itemSection("experiment-data", "Experiment data requirements", specification.experiment_data, specification,
-                      index) +
-          itemSection("reference-data", "Reference data requirements", specification.reference_data, specification,
-                      index) +
-          relevance(specification, index) + findings(specification);
+  html +=
+      "<nav><a href=\"#overview\">Overview</a><a href=\"#general\">General</a><a href=\"#object-model\">Object model"
+      "</a><a href=\"#detection-model\">Detection model</a><a href=\"#tests\">Tests</a><a href=\"#experiment-data\">"
+      "Experiment data</a><a href=\"#reference-data\">Reference data</a><a href=\"#relevance\">Relevance</a>"
+      "<a href=\"#findings\">Open points</a></nav>\n";
+  html +=
+      overview(specification) + requirementSections(specification, index) +
+      itemSection("tests", "Acceptance tests", specification.tests, specification, index) +
+      itemSection("experiment-data", "Experiment data requirements", specification.experiment_data, specification,
+                  index) +
+      itemSection("reference-data", "Reference data requirements", specification.reference_data, specification, index) +
+      relevance(specification, index) + findings(specification);
   return html + "</body>\n</html>\n";
 }
 

@@ -86,9 +86,9 @@ std::vector<const Field<T>*> fieldsOfColumns(const core::CsvTable& table) {
     const auto found = std::find(known.begin(), known.end(), core::trimmed(column));
     if (found == known.end()) {
       const std::string nearest = core::nearestName(column, known);
-      throw core::InputError({.file = table.file, .line = 1, .item = "column " + column}, "this column is not known.",
-                             nearest.empty() ? "Known columns: " + core::join(known) + "."
-                                             : "Did you mean '" + nearest + "'?");
+      throw core::InputError(
+          {.file = table.file, .line = 1, .item = "column " + column}, "this column is not known.",
+          nearest.empty() ? "Known columns: " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
     }
     fields.push_back(&fieldsOf<T>()[static_cast<std::size_t>(found - known.begin())]);
   }

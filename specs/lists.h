@@ -14,12 +14,12 @@ namespace specs {
 ///   requirements.csv  acceptance_tests.csv  experiment_data.csv  reference_data.csv  links.csv  cepra.csv
 ///
 /// UTF-8 with byte order mark (so that spreadsheets see the umlauts), columns as in fields.h. A text that a spreadsheet
-/// would take for a formula (it begins with = + - @) gets an apostrophe in front, which reading removes. Nothing is lost.
-/// cepra.csv is cepra::exportCsv's. Creates the folder.
+/// would take for a formula (it begins with = + - @) gets an apostrophe in front, which reading removes. Nothing is
+/// lost. cepra.csv is cepra::exportCsv's. Creates the folder.
 void writeLists(const Specification& specification, const std::filesystem::path& folder);
 
-/// What the files of a folder say, on top of `before`: items are found by uid, else by id; columns left out keep what the
-/// item has; a list whose file is absent stays as it is. Items and links that a list lacks are in `missing`.
+/// What the files of a folder say, on top of `before`: items are found by uid, else by id; columns left out keep what
+/// the item has; a list whose file is absent stays as it is. Items and links that a list lacks are in `missing`.
 struct ReadLists {
   Specification specification;
   std::vector<std::string> files;    ///< names of the lists that were read

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "cepra/check.h"
-
 #include "specs/shown_id.h"
 #include "specs/trace.h"
 
@@ -66,7 +65,8 @@ void linkHasTwoEnds(const Check& check) {
   for (const Link& link : check.spec.links) {
     const std::string name = link.from + " -> " + link.to;
     for (const std::string& end : {link.from, link.to}) {
-      if (!check.index.find(end)) check.report(name, "'" + end + "' does not exist.", "Correct the id or remove the link.");
+      if (!check.index.find(end))
+        check.report(name, "'" + end + "' does not exist.", "Correct the id or remove the link.");
     }
   }
 }
@@ -131,7 +131,8 @@ void testHasReferenceData(const Check& check) {
 
 void acceptedTestCanBeDecided(const Check& check) {
   for (const AcceptanceTest& test : check.spec.tests) {
-    if (test.status == Status::Accepted && !test.experiment.empty() && (test.expression.empty() || test.measurand.empty())) {
+    if (test.status == Status::Accepted && !test.experiment.empty() &&
+        (test.expression.empty() || test.measurand.empty())) {
       check.report(test.id, "is accepted, but lacks its measurand or the expression that decides.",
                    "Fill in both, e.g. measurand range, accepted if abs(d_bias) <= 0.005 * range_m.");
     }
@@ -170,7 +171,8 @@ void deviceIsNamed(const Check& check) {
 void uncertaintyIsNamed(const Check& check) {
   for (const ReferenceData& reference : check.spec.reference_data) {
     if (counts(reference) && reference.uncertainty.empty()) {
-      check.report(reference.id, "does not say how well the truth must be known.", "Give the uncertainty with its unit.");
+      check.report(reference.id, "does not say how well the truth must be known.",
+                   "Give the uncertainty with its unit.");
     }
   }
 }
@@ -195,7 +197,8 @@ void acceptedDoesNotRestOnRejected(const Check& check) {
 void linkIsReviewed(const Check& check) {
   for (const Link& link : check.spec.links) {
     if (link.suspect) {
-      check.report(link.from + " -> " + link.to, "is suspect: one end has changed.", "Look at both ends and confirm it.");
+      check.report(link.from + " -> " + link.to, "is suspect: one end has changed.",
+                   "Look at both ends and confirm it.");
     }
   }
 }
@@ -205,7 +208,8 @@ void linkIsReviewed(const Check& check) {
 void relevantRowHasRequirement(const Check& check) {
   for (const cepra::Row& row : check.spec.cepra.rows) {
     const auto relevance = row.relevance();
-    if (relevance && *relevance >= check.options.relevant_from && !row.gone && check.index.followersOf(row.key).empty()) {
+    if (relevance && *relevance >= check.options.relevant_from && !row.gone &&
+        check.index.followersOf(row.key).empty()) {
       check.report(row.key, rowTitle(row) + " has relevance " + std::to_string(*relevance) + ", but no requirement.",
                    "Write one, or lower the scores and say why.");
     }

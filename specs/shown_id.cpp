@@ -76,6 +76,10 @@ std::string proposeId(std::string_view phenomenon, std::string_view causes, std:
   }
 }
 
+std::string proposeId(const cepra::Row& row, std::span<const std::string> taken) {
+  return proposeId(row.phenomenon().title, row.lastEffect().title, taken);
+}
+
 bool naturallyLess(std::string_view a, std::string_view b) {
   std::size_t i = 0;
   std::size_t j = 0;

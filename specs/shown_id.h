@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cepra/table.h"
+
 namespace specs {
 
 /// Shown ids are `<Phenomenon>_<Causes>_<No.>`: `FalseNegativeDetection_AttenuationByAerosols_1`. Letters and digits
@@ -18,6 +20,9 @@ namespace specs {
 /// The first free id for a phenomenon and what causes it, where `taken` are the ids in use.
 [[nodiscard]] std::string proposeId(std::string_view phenomenon, std::string_view causes,
                                     std::span<const std::string> taken);
+
+/// The same for a row of the relevance table: its phenomenon and its last effect.
+[[nodiscard]] std::string proposeId(const cepra::Row& row, std::span<const std::string> taken);
 
 /// Natural order: "Range_2" before "Range_10".
 [[nodiscard]] bool naturallyLess(std::string_view a, std::string_view b);

@@ -105,11 +105,13 @@ const std::vector<Link>& LinkIndex::originsOf(std::string_view id) const { retur
 const std::vector<Link>& LinkIndex::followersOf(std::string_view id) const { return at(followers_, id); }
 
 std::vector<std::string> LinkIndex::allOriginsOf(std::string_view id) const {
-  return reach(id, [&](const std::string& here) { return originsOf(here); }, &Link::from);
+  return reach(
+      id, [&](const std::string& here) { return originsOf(here); }, &Link::from);
 }
 
 std::vector<std::string> LinkIndex::allFollowersOf(std::string_view id) const {
-  return reach(id, [&](const std::string& here) { return followersOf(here); }, &Link::to);
+  return reach(
+      id, [&](const std::string& here) { return followersOf(here); }, &Link::to);
 }
 
 std::string traceText(const Specification& specification, const std::string& id) {
@@ -121,9 +123,9 @@ std::string traceText(const Specification& specification, const std::string& id)
     for (const auto& item : specification.experiment_data) ids.push_back(item.id);
     for (const auto& item : specification.reference_data) ids.push_back(item.id);
     const std::string nearest = core::nearestName(id, ids);
-    throw core::InputError({.item = id}, "there is no such item in the project.",
-                           nearest.empty() ? "'fidelis spec export' lists what there is."
-                                           : "Did you mean '" + nearest + "'?");
+    throw core::InputError(
+        {.item = id}, "there is no such item in the project.",
+        nearest.empty() ? "'fidelis spec export' lists what there is." : "Did you mean '" + nearest + "'?");
   }
   TreeWriter back(specification, index, true);
   TreeWriter on(specification, index, false);

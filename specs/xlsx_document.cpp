@@ -1,9 +1,8 @@
 // The specification as a workbook.
 
 #include <unistd.h>
-#include <xlsxwriter.h>
-
 #include <utility>
+#include <xlsxwriter.h>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -34,8 +33,8 @@ class Workbook {
     cell_ = workbook_add_format(book_);
     format_set_text_wrap(cell_);
     format_set_align(cell_, LXW_ALIGN_VERTICAL_TOP);
-    for (const auto& [word, colour] : {std::pair{"accepted", 0xDDF2E3u}, {"rejected", 0xF8DADAu},
-                                       {"under review", 0xFFF3CFu}}) {
+    for (const auto& [word, colour] :
+         {std::pair{"accepted", 0xDDF2E3u}, {"rejected", 0xF8DADAu}, {"under review", 0xFFF3CFu}}) {
       lxw_format* format = workbook_add_format(book_);
       format_set_bg_color(format, colour);
       status_.emplace_back(word, format);
@@ -90,7 +89,8 @@ class Workbook {
 
  private:
   void write(lxw_worksheet* sheet, lxw_row_t row, lxw_col_t column, const std::string& text) {
-    const bool is_number = !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
+    const bool is_number =
+        !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
     if (is_number) {
       worksheet_write_number(sheet, row, column, std::stod(text), cell_);
     } else {

@@ -1,7 +1,6 @@
 #include "specs/documents.h"
 
 #include <gmock/gmock.h>
-
 #include <regex>
 #include <set>
 
@@ -22,7 +21,8 @@ class Documents : public ::testing::Test {
   Documents() {
     auto store = ProjectStore::create(folder / "demo.fidelis");
     test_specs::fill(store);
-    store.storeRun({.verdicts = {{.test = "RangeError_Fog_3", .verdict = Verdict::Failed, .text = "d_bias too large"}}});
+    store.storeRun(
+        {.verdicts = {{.test = "RangeError_Fog_3", .verdict = Verdict::Failed, .text = "d_bias too large"}}});
     spec = store.specification();
   }
   test_support::TemporaryFolder folder;

@@ -32,6 +32,12 @@ TEST(ShownId, ProposalIsTheFirstFreeNumberAndAlwaysValid) {
   EXPECT_TRUE(isShownId(proposeId("", "→", {})));
 }
 
+TEST(ShownId, OfARowIsItsPhenomenonAndItsLastEffect) {
+  const cepra::Row row{
+      .effects = {{"0", "False negative detection"}, {"5", "Low power"}, {"7", "Attenuation by aerosols"}}};
+  EXPECT_EQ(proposeId(row, {}), "FalseNegativeDetection_AttenuationByAerosols_1");
+}
+
 TEST(ShownId, NumbersSortByValue) {
   std::vector<std::string> ids = {"R_B_10", "R_B_2", "R_A_3", "R_B_1"};
   std::sort(ids.begin(), ids.end(), naturallyLess);
