@@ -4,9 +4,11 @@ namespace app {
 
 void addAcceptCommand(CLI::App& program, Session& session);
 void addCepraCommand(CLI::App& program, Session& session);
+void addEffectsCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
+void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
 void addSpecCommand(CLI::App& program, Session& session);
 
@@ -15,8 +17,8 @@ void addSpecCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand, addCepraCommand,    addSpecCommand, addAcceptCommand,
-      addMetricCommand, addSimulateCommand, addGapCommand,
+      addImportCommand,   addCepraCommand, addSpecCommand,    addAcceptCommand,  addMetricCommand,
+      addSimulateCommand, addGapCommand,   addEffectsCommand, addSensorsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -6,14 +6,31 @@ namespace model::effects {
 
 // One line an effect: each file of this folder defines one of these. The list in all_effects.cpp is the library.
 EffectEntry beamDivergence();
+EffectEntry apertureOffset();
+EffectEntry mountingError();
+EffectEntry pulseJitter();
 EffectEntry atmosphericAttenuation();
+EffectEntry crosstalk();
 EffectEntry angularReflection();
+EffectEntry surfaceMoisture();
+EffectEntry retroreflection();
 EffectEntry pulseBroadening();
+EffectEntry speckle();
 EffectEntry coverContamination();
+EffectEntry photoResponseNonuniformity();
+EffectEntry backgroundLight();
+EffectEntry thermalNoise();
+EffectEntry saturation();
+EffectEntry deadTime();
 EffectEntry rangeWalk();
+EffectEntry dynamicThreshold();
 EffectEntry quantisation();
+EffectEntry rangeGating();
+EffectEntry echoMerging();
+EffectEntry clockDrift();
 EffectEntry rangeOffset();
 EffectEntry angleClipping();
+EffectEntry falseAlarm();
 EffectEntry detectionLoss();
 
 /// Maker of an effect class that is constructed from its parameters.

@@ -1,0 +1,95 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "model/effect.h"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json toJson(const model::ParameterInfo& parameter, const std::vector<std::string>& fitted) {
+  ordered_json json{{"name", parameter.name}, {"unit", parameter.unit}, {"min", parameter.min}, {"max", parameter.max}};
+  json["default"] = parameter.default_value ? ordered_json(*parameter.default_value) : ordered_json(nullptr);
+  json["fitted"] = std::find(fitted.begin(), fitted.end(), parameter.name) != fitted.end();
+  json["meaning"] = parameter.meaning;
+  return json;
+}
+
+ordered_json toJson(const model::EffectEntry& entry) {
+  const model::EffectInfo& info = entry.info;
+  ordered_json json{{"name", info.name}, {"title", info.title}, {"stage", model::toString(info.stage)}};
+  json["percollect"] = info.percollect;
+  json["parameters"] = ordered_json::array();
+  for (const model::ParameterInfo& parameter : info.parameters) json["parameters"].push_back(toJson(parameter, info.fitted));
+  for (const auto& [name, choices] : entry.texts) json["parameters"].push_back({{"name", name}, {"choices", choices}});
+  json["source"] = info.source;
+  return json;
+}
+
+const model::EffectEntry& entryOf(const std::string& name) {
+  if (const model::EffectEntry* entry = model::findEffect(name)) return *entry;
+  std::vector<std::string> known;
+  for (const model::EffectEntry& entry : model::allEffects()) known.push_back(entry.info.name);
+  const std::string nearest = core::nearestName(name, known);
+  throw core::InputError({.item = "effect '" + name + "'"}, "is not in the library.",
+                         nearest.empty() ? "'fidelis effects' lists them all." : "Did you mean '" + nearest + "'?");
+}
+
+void printOne(std::ostream& out, const model::EffectEntry& entry) {
+  const model::EffectInfo& info = entry.info;
+  out << fmt::format("{}: {}\n  stage       {}\n", info.name, info.title, model::toString(info.stage));
+  if (!info.percollect.empty()) out << fmt::format("  graph nodes {}\n", core::join(info.percollect));
+  for (const model::ParameterInfo& p : info.parameters) {
+    out << fmt::format("  {:<24} {:g} … {:g}{}{}{}\n{:27}{}\n", p.name, p.min, p.max, p.unit.empty() ? "" : " " + p.unit,
+                       p.default_value ? fmt::format(", default {:g}", *p.default_value) : "",
+                       toJson(p, info.fitted)["fitted"] ? ", fitted by a diagnosis" : "", "", p.meaning);
+  }
+  for (const auto& [name, choices] : entry.texts) out << fmt::format("  {:<24} one of {}\n", name, core::join(choices));
+  out << fmt::format("  source      {}\n", info.source);
+}
+
+void printAll(std::ostream& out) {
+  for (const model::EffectEntry& entry : model::allEffects()) {
+    std::vector<std::string> names;
+    for (const model::ParameterInfo& parameter : entry.info.parameters) names.push_back(parameter.name);
+    out << fmt::format("{:<28} {:<22} {}\n", entry.info.name, model::toString(entry.info.stage), core::join(names));
+  }
+}
+
+struct Options {
+  std::string name;
+  std::string json;
+};
+
+}  // namespace
+
+void addEffectsCommand(CLI::App& program, Session& session) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("effects", "List the effects of the library, or describe one");
+  command->add_option("NAME", options->name, "Describe this effect: parameters with unit, range and default, source");
+  command->add_option("--json", options->json, "Write the declarations as JSON; '-' is standard output");
+  command->footer("Examples:\n  fidelis effects\n  fidelis effects atmospheric-attenuation\n  fidelis effects --json -");
+  command->callback([options, &session] {
+    const model::EffectEntry* one = options->name.empty() ? nullptr : &entryOf(options->name);
+    if (!options->json.empty()) {
+      ordered_json json{{"format", "fidelis-effects"}, {"version", 1}, {"effects", ordered_json::array()}};
+      for (const model::EffectEntry& entry : model::allEffects()) {
+        if (!one || one == &entry) json["effects"].push_back(toJson(entry));
+      }
+      session.writeJsonTo(options->json, json);
+    } else if (one) {
+      printOne(session.out, *one);
+    } else {
+      printAll(session.out);
+    }
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/effects/declarations.h"
+
+namespace model::effects {
+
+namespace {
+
+/// The receiver elements of the layers differ in gain, and stay so: a fixed pattern, drawn once from `pattern`.
+///   P = P_even · max(0.05, 1 + stddev · N(layer))
+/// Source: EMVA Standard 1288, release 4.0, sec. 4 (photo response nonuniformity).
+class PhotoResponseNonuniformity final : public Effect {
+ public:
+  explicit PhotoResponseNonuniformity(const EffectParameters& parameters) {
+    const double stddev = parameters.numberOr("stddev", 0.1);
+    const auto pattern = static_cast<std::uint64_t>(std::llround(parameters.numberOr("pattern", 1.0)));
+    core::Random random({.seed = pattern, .purpose = core::purposeOf("photo-response-nonuniformity")});
+    for (double& gain : gain_) gain = std::max(0.05, 1.0 + stddev * random.normal());
+  }
+
+  [[nodiscard]] bool changesPower() const override { return true; }
+  [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
+    return gain_[static_cast<std::size_t>(reflection.beam.layer) % gain_.size()];
+  }
+
+ private:
+  std::array<double, 256> gain_{};  // by layer; sensors with more repeat the pattern
+};
+
+}  // namespace
+
+EffectEntry photoResponseNonuniformity() {
+  return {.info = {.name = "photo-response-nonuniformity",
+                   .title = "Uneven gain of the layers",
+                   .stage = Stage::kReception,
+                   .percollect = {"62", "66", "68"},
+                   .parameters = {{"stddev", "", 0.0, 0.5, 0.1, "Standard deviation of the gain over the layers", false, 0.15},
+                                  {"pattern", "", 0.0, 1e6, 1.0, "Which random pattern", false, 1.0}},
+                   .fitted = {"stddev"},
+                   .source = "EMVA Standard 1288, release 4.0"},
+          .make = makeFrom<PhotoResponseNonuniformity>};
+}
+
+}  // namespace model::effects
