@@ -51,11 +51,17 @@ std::string reportPath(const std::filesystem::path& report, const std::filesyste
   return relative.empty() || relative.begin()->string() == ".." ? whole.generic_string() : relative.generic_string();
 }
 
+/// The specification names the test's own model beside its last result; another model must not pass in its name.
+std::string judgedModel(const TestResult& result) {
+  const std::string own = std::filesystem::path(result.test.model).lexically_normal().generic_string();
+  return result.model_file.empty() || result.model_file == own ? "" : " (judged with " + result.model_file + ")";
+}
+
 specs::TestVerdict toVerdict(const TestResult& result) {
   specs::TestVerdict verdict;
   verdict.test = result.test.id;
   verdict.verdict = result.verdict;
-  verdict.text = result.text;
+  verdict.text = result.text + judgedModel(result);
   verdict.used = result.used;
   verdict.evaluation = toJson(result, Figures::Included).dump();
   for (const SampleResult& sample : result.samples) {

@@ -109,12 +109,18 @@ TEST(RunTests, AModelMayBePutInPlaceOfTheTestsOwn) {
     const std::string none = "\"effects\": {}";
     return model.replace(model.find(none), none.size(), R"("effects": {"range-offset": {"offset_m": 0.3}})");
   }());
-  const specs::ProjectStore store = project.open();
+  specs::ProjectStore store = project.open();
   core::SilentProgress progress;
-  EXPECT_EQ(runTests(store, {}, progress).tests[0].verdict, Verdict::Failed);
+  const RunResult own = runTests(store, {}, progress);
+  EXPECT_EQ(own.tests[0].verdict, Verdict::Failed);
+  storeRun(store, own, kRecord);
+  EXPECT_EQ(store.latestVerdicts().at("RangeError_Offset_1").text, own.tests[0].text);
+
   const RunResult run = runTests(store, {.tests = {}, .model = better, .seed = {}}, progress);
   EXPECT_EQ(run.tests[0].verdict, Verdict::Passed) << run.tests[0].text;
   EXPECT_EQ(run.tests[0].model_file, "better.json");
+  storeRun(store, run, kRecord);
+  EXPECT_THAT(store.latestVerdicts().at("RangeError_Offset_1").text, HasSubstr("(judged with better.json)"));
 }
 
 TEST(RunTests, AnotherSeedGivesOtherNumbersAndIsNoted) {
