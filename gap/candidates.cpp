@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/physics.h"
 
 namespace gap {
 
@@ -29,8 +30,21 @@ double selfDiscrepancy(const Replay& replay, const World& world, const Evidence&
   return total.sum;
 }
 
-/// Starts that the map of residuals suggests: sector ends at the strata where the gap lies.
-std::vector<std::vector<double>> startsFrom(const Hypothesis& hypothesis, const std::vector<WhereRow>& where) {
+/// Smallest distance of two beams of a layer in azimuth: the sharpest that a sector can be seen.
+double azimuthStep_deg(const Replay& replay) {
+  double step_rad = 0.1;
+  const auto& beams = replay.samples().front().beams;
+  for (std::size_t i = 1; i < beams.size(); ++i) {
+    const double difference = std::abs(beams[i].azimuth_rad - beams[i - 1].azimuth_rad);
+    if (beams[i].layer == beams[i - 1].layer && difference > 1e-6) step_rad = std::min(step_rad, difference);
+  }
+  return step_rad * core::kDegPerRad;
+}
+
+/// Starts that the map of residuals suggests: sector ends half a beam outside the strata where the gap lies.
+std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
+                                            const std::vector<WhereRow>& where) {
+  const double half_deg = azimuthStep_deg(replay) / 2.0;
   std::vector<std::vector<double>> starts;
   for (const WhereRow& row : where) {
     if (row.covariate != "azimuth_deg" || starts.size() >= 3) continue;
@@ -39,7 +53,7 @@ std::vector<std::vector<double>> startsFrom(const Hypothesis& hypothesis, const 
     for (const FreeParameter& parameter : hypothesis.parameters) {
       const bool from = parameter.name == "azimuth_from_deg", to = parameter.name == "azimuth_to_deg";
       sector = sector || from || to;
-      start.push_back(from ? row.low : to ? row.high : parameter.start);
+      start.push_back(from ? row.low - half_deg : to ? row.high + half_deg : parameter.start);
     }
     if (sector) starts.push_back(start);
   }
@@ -137,7 +151,7 @@ std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yard
   std::atomic<std::size_t> done = 0;
   core::parallelFor(hypotheses.size(), 1, [&](std::size_t begin, std::size_t) {
     const Hypothesis& hypothesis = hypotheses[begin];
-    candidates[begin] = judged(replay, split, yardstick, hypothesis, startsFrom(hypothesis, where), progress);
+    candidates[begin] = judged(replay, split, yardstick, hypothesis, startsFrom(replay, hypothesis, where), progress);
     progress.report(static_cast<double>(++done) / static_cast<double>(hypotheses.size()), "tried " + hypothesis.name);
   });
   sortByMerit(candidates);

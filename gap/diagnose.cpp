@@ -9,6 +9,7 @@
 #include "gap/candidates.h"
 #include "gap/diagnosis.h"
 #include "gap/how_far.h"
+#include "gap/pictures.h"
 #include "gap/wording.h"
 
 namespace gap {
@@ -36,6 +37,7 @@ model::LidarModel withInlineSensor(const model::LidarModel& model) {
 
 struct WhereResult {
   std::vector<WhereRow> rows;
+  std::vector<ResidualTable> tables;
   double largest_steps = 0.0;  ///< largest stratum value in resolution steps
 };
 
@@ -46,11 +48,12 @@ WhereResult findWhere(const Replay& replay, const World& world, std::uint64_t se
     frames[s] = std::clamp(replay.samples()[s].frames, 3, kWhereFrames);
     simulated[s] = replay.simulate(world, s, frames[s], seed);
   }
-  const auto tables = residualTables(replay, simulated, frames);
-  WhereResult result{whereRows(replay, tables, simulated), 0.0};
-  for (const ResidualTable& table : tables) result.largest_steps = std::max(result.largest_steps, table.excess());
+  WhereResult result;
+  result.tables = residualTables(replay, simulated, frames);
+  result.rows = whereRows(replay, result.tables, simulated);
+  for (const ResidualTable& table : result.tables) result.largest_steps = std::max(result.largest_steps, table.excess());
   for (const WhereRow& row : result.rows) {
-    for (const ResidualTable& table : tables) {
+    for (const ResidualTable& table : result.tables) {
       if (table.measurand != row.measurand || table.component != row.component || row.p_value > kSignificance) continue;
       result.largest_steps = std::max(result.largest_steps, std::abs(row.value) / table.scale);
     }
@@ -68,7 +71,7 @@ Cause toCause(const Candidate& candidate) {
   cause.explained = candidate.explained;
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
-    FittedParameter fitted{p.name, p.unit, candidate.values[i], {p.low, p.high}};
+    const FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt};
     if (candidate.hypothesis.per_setup) {
       cause.setups[p.name] = fitted;
     } else {
@@ -117,27 +120,17 @@ VerdictKind kindOf(CauseKind kind) {
 }
 
 /// The two members of a pair as causes of their own.
-std::vector<Cause> splitPair(const Candidate& pair, const std::vector<Candidate>& singles) {
+std::vector<Cause> splitPair(const Candidate& pair) {
   std::vector<Cause> causes;
-  std::size_t used = 0;
-  for (std::size_t at = 0; used < pair.values.size() || at == 0;) {
-    const std::size_t plus = pair.hypothesis.name.find(" + ", at);
-    const std::string name = pair.hypothesis.name.substr(at, plus == std::string::npos ? plus : plus - at);
-    const auto single = std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) {
-      if (c.hypothesis.name != name || used + c.values.size() > pair.values.size()) return false;
-      for (std::size_t i = 0; i < c.values.size(); ++i) {
-        if (c.hypothesis.parameters[i].name != pair.hypothesis.parameters[used + i].name) return false;
-      }
-      return true;
-    });
-    Candidate member = *single;
-    member.values.assign(pair.values.begin() + static_cast<std::ptrdiff_t>(used),
-                         pair.values.begin() + static_cast<std::ptrdiff_t>(used + single->values.size()));
-    used += single->values.size();
+  auto values = pair.values.begin();
+  for (const Hypothesis& hypothesis : pair.hypothesis.members) {
+    Candidate member;
+    member.hypothesis = hypothesis;
+    const auto end = values + static_cast<std::ptrdiff_t>(hypothesis.parameters.size());
+    member.values.assign(values, end);
+    values = end;
+    member.explained = pair.explained;
     causes.push_back(toCause(member));
-    causes.back().explained = pair.explained;
-    if (plus == std::string::npos) break;
-    at = plus + 3;
   }
   return causes;
 }
@@ -179,7 +172,7 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
   constexpr std::size_t kListed = 6;
   const auto confidences = confidencesOf(decision.singles, split.weak);
   if (decision.pair) {
-    diagnosis.causes = splitPair(*decision.winner, decision.singles);
+    diagnosis.causes = splitPair(*decision.winner);
     for (Cause& cause : diagnosis.causes) cause.confidence = 0.9 * std::clamp(decision.winner->explained, 0.0, 1.0);
   }
   std::vector<std::string> listed;
@@ -209,7 +202,9 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
   for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
     cause.shrink = far.shrink;
-    for (FittedParameter& parameter : cause.parameters) parameter.interval = intervals[used++];
+    for (FittedParameter& parameter : cause.parameters) {
+      if (used < intervals.size()) parameter.interval = intervals[used++];
+    }
   }
   const bool in_model_file = after.reflectivity.empty() && after.references.empty();
   if (in_model_file) {
@@ -289,6 +284,10 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
     diagnosis.verdict.kind = VerdictKind::kNone;
   }
   fillCauses(replay, split, decision, seed, diagnosis, progress);
+  const World after = decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
+  diagnosis.maps = residualMaps(replay, where.tables);
+  diagnosis.curves = beforeAfterValues(replay, where.tables, split.held_out.samples,
+                                       decision.winner ? &after : nullptr, seed);
   Verdict& verdict = diagnosis.verdict;
   if (decision.winner) {
     for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) verdict.names.push_back(diagnosis.causes[c].name);

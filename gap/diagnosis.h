@@ -22,7 +22,7 @@ struct FittedParameter {
   std::string name;
   std::string unit;
   double value = 0.0;
-  Interval interval;
+  std::optional<Interval> interval;  ///< 95 %, over set-ups; absent where it was not computed
 };
 
 struct Shrink {
@@ -42,6 +42,32 @@ struct Cause {
   std::vector<FittedParameter> parameters;
   std::map<std::string, FittedParameter> setups;  ///< reference offsets per set-up
   Shrink shrink;
+  std::vector<std::string> chain;         ///< node ids from the cause up to the phenomenon, if a graph was given
+  std::vector<std::string> chain_titles;
+};
+
+/// Measured minus simulated mean of every beam of one sample, for a map.
+struct ResidualMap {
+  struct Point {
+    double azimuth_deg;
+    double layer;
+    double value;
+  };
+  std::string measurand;
+  std::string unit;
+  std::string sample;
+  double azimuth_step_deg = 1.0;
+  std::vector<Point> points;
+};
+
+/// Values of one measurand in one held-out sample, for curves.
+struct BeforeAfterValues {
+  std::string measurand;
+  std::string unit;
+  std::string sample;
+  std::vector<double> measured;
+  std::vector<double> before;
+  std::vector<double> after;  ///< empty if no cause was added
 };
 
 enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
@@ -78,6 +104,8 @@ struct Diagnosis {
   std::vector<std::string> held_out;
   bool weak_hold_out = false;            ///< no sample could be held out whole
   std::optional<NextExperiment> next_experiment;
+  std::vector<ResidualMap> maps;           ///< the sample with the largest deviation, a map a measurand
+  std::vector<BeforeAfterValues> curves;   ///< of the measurand that deviates most, up to three held-out samples
   nlohmann::json proposed_model;         ///< null if the verdict names nothing that a model file can hold
   double elapsed_s = 0.0;
 };

@@ -16,6 +16,8 @@ namespace {
 constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
 constexpr int kBrentBits = 10;    // a thousandth of the bracket
 constexpr std::size_t kCoarseSamples = 4;
+constexpr double kFirstStep = 0.06;     // of the scaled range
+constexpr double kFirstStep_deg = 1.5;
 
 /// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
 class Scale {
@@ -91,6 +93,14 @@ class Objective {
     return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_).sum;
   }
   [[nodiscard]] Objective on(const Evidence& evidence) const { return {replay_, hypothesis_, evidence, progress_}; }
+  /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
+  [[nodiscard]] std::vector<double> firstSteps() const {
+    std::vector<double> steps;
+    for (const FreeParameter& p : hypothesis_.parameters) {
+      steps.push_back(p.unit == "deg" ? kFirstStep_deg / (p.high - p.low) : kFirstStep);
+    }
+    return steps;
+  }
   [[nodiscard]] std::size_t dimensions() const { return scales_.size(); }
   [[nodiscard]] const Evidence& evidence() const { return evidence_; }
 
@@ -161,7 +171,7 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
   nlopt_set_min_objective(optimiser.get(), onSubplex, &call);
   nlopt_set_lower_bounds1(optimiser.get(), 0.0);
   nlopt_set_upper_bounds1(optimiser.get(), 1.0);
-  nlopt_set_initial_step1(optimiser.get(), 0.06);
+  nlopt_set_initial_step(optimiser.get(), objective.firstSteps().data());
   nlopt_set_xtol_abs1(optimiser.get(), 5e-4);
   nlopt_set_ftol_rel(optimiser.get(), 1e-4);
   nlopt_set_maxeval(optimiser.get(), kRefinements);

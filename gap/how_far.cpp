@@ -103,12 +103,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
     if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
   }
   std::vector<Interval> intervals;
-  if (setups.size() < 2 || hypothesis.per_setup) {
-    for (std::size_t p = 0; p < values.size(); ++p) {
-      intervals.push_back({hypothesis.parameters[p].low, hypothesis.parameters[p].high});
-    }
-    return intervals;
-  }
+  if (setups.size() < 2 || hypothesis.per_setup) return intervals;
   std::vector<std::vector<double>> refits(setups.size());
   core::parallelFor(setups.size(), 1, [&](std::size_t k, std::size_t) {
     Evidence without = evidence;

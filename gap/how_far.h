@@ -22,7 +22,8 @@ struct BeforeAfter {
 [[nodiscard]] BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
                                  std::uint64_t seed, const core::Progress& progress);
 
-/// Jackknife over set-ups: refits the winner without each of them. [parameter order of the hypothesis]
+/// Jackknife over set-ups: refits the winner without each of them. [parameter order of the hypothesis] Empty with fewer
+/// than two set-ups, and for offsets that belong to one set-up each.
 [[nodiscard]] std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,
                                                        const std::vector<double>& values, const Evidence& evidence,
                                                        const core::Progress& progress);

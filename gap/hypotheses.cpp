@@ -241,6 +241,7 @@ Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
   both.variant = a.variant.empty() ? b.variant : b.variant.empty() ? a.variant : a.variant + ", " + b.variant;
   both.parameters.insert(both.parameters.end(), b.parameters.begin(), b.parameters.end());
   both.moves_geometry = a.moves_geometry || b.moves_geometry;
+  both.members = {a, b};
   const std::size_t split = a.parameters.size();
   both.apply = [first = a.apply, second = b.apply, split](World& world, const std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(split);

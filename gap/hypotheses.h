@@ -32,6 +32,7 @@ struct Hypothesis {
   std::string decomposition_block;
   bool per_setup = false;               ///< one parameter a set-up, named after it
   bool moves_geometry = false;
+  std::vector<Hypothesis> members;      ///< of a pair, in the order of its parameters; empty for a single cause
 };
 
 /// Everything that the library offers for this experiment and model: effects that the model lacks, parameters of

@@ -10,6 +10,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json toJson(const Interval& interval) { return Json::array({interval.low, interval.high}); }
+Json toJson(const std::optional<Interval>& interval) { return interval ? toJson(*interval) : Json(nullptr); }
 
 Json stratumJson(const WhereRow& row) {
   return row.numeric ? Json::array({row.low, row.high}) : Json(row.names);
@@ -51,7 +52,8 @@ Json toJson(const Cause& cause) {
                {"parameters", parameters},
                {"shrink", {{"fraction", cause.shrink.fraction}, {"interval", toJson(cause.shrink.interval)}}},
                {"explained", cause.explained},
-               {"chain", cause.percollect}};
+               {"chain", cause.chain}};
+  if (!cause.chain_titles.empty()) json["chain_titles"] = cause.chain_titles;
   if (!cause.variant.empty()) json["variant"] = cause.variant;
   if (!cause.setups.empty()) {
     for (const auto& [setup, p] : cause.setups) {

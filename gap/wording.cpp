@@ -14,12 +14,12 @@ std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fr
 
 std::string listOf(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, " and ")); }
 
-std::string stratumOf(const WhereRow& row) {
+}  // namespace
+
+std::string stratumText(const WhereRow& row) {
   if (row.numeric) return fmt::format("{} is {} to {}", row.covariate, core::significant(row.low), core::significant(row.high));
   return fmt::format("{} is {}", row.covariate, fmt::join(row.names, ", "));
 }
-
-}  // namespace
 
 std::string verdictSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
@@ -51,12 +51,12 @@ std::string whereSentence(const WhereRow& row) {
   if (row.measurand == "existence") {
     return fmt::format("{} echoes per shot {} where {} ({}).", core::significant(std::abs(row.value)),
                        row.component == "missing" ? "are missing in the measurement" : "are measured but not simulated",
-                       stratumOf(row), share);
+                       stratumText(row), share);
   }
   const char* what = row.component == "scatter" ? (row.value > 0 ? "scatters more" : "scatters less")
                                                 : (row.value > 0 ? "is larger" : "is smaller");
   return fmt::format("Measured {} {} than simulated by {} {} where {} ({}).", row.measurand, what,
-                     core::significant(std::abs(row.value)), row.unit, stratumOf(row), share);
+                     core::significant(std::abs(row.value)), row.unit, stratumText(row), share);
 }
 
 std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample) {

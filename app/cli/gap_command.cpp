@@ -6,9 +6,13 @@
 #include "core/error.h"
 #include "core/json_object.h"
 #include "core/text.h"
+#include "core/file.h"
+#include "gap/chain.h"
 #include "gap/diagnosis.h"
+#include "gap/report_html.h"
 #include "gap/report_json.h"
 #include "gap/wording.h"
+#include "percollect/read_graph.h"
 
 namespace app {
 
@@ -19,6 +23,8 @@ struct Options {
   std::string model;
   std::string library = "all";
   std::string json;
+  std::string html;
+  std::string graph;
   std::string write_model;
 };
 
@@ -53,8 +59,9 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
     out << "  cause: " << gap::toString(cause.kind) << " " << cause.name << ", explains "
         << core::significant(100.0 * cause.explained, 3) << " % of the held-out discrepancy";
     for (const gap::FittedParameter& p : cause.parameters) {
-      out << "; " << p.name << " = " << core::significant(p.value, 4) << " [" << core::significant(p.interval.low, 4) << ", "
-          << core::significant(p.interval.high, 4) << "] " << p.unit;
+      out << "; " << p.name << " = " << core::significant(p.value, 4);
+      if (p.interval) out << " [" << core::significant(p.interval->low, 4) << ", " << core::significant(p.interval->high, 4) << "]";
+      if (!p.unit.empty()) out << " " << p.unit;
     }
     out << "\n";
   }
@@ -71,14 +78,20 @@ void addGapCommand(CLI::App& program, Session& session) {
   command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
   command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
   command->add_option("--json", options->json, "Write the report here; - for standard output");
+  command->add_option("--html", options->html, "Write the report as a self-contained page");
+  command->add_option("--graph", options->graph, "Cause-effect graph (PerCollECT) in which the causes are looked up");
   command->add_option("--write-model", options->write_model, "Write the model with the cause that was found");
   command->footer("Example:\n  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json");
   command->callback([options, &session] {
     const auto library = libraryOf(options->library);
     const model::Experiment experiment = model::readExperiment(options->experiment);
     const model::LidarModel lidar = model::readModel(options->model);
-    const gap::Diagnosis diagnosis =
+    std::optional<percollect::Graph> graph;
+    if (!options->graph.empty()) graph = percollect::readGraph(options->graph).graph;
+    gap::Diagnosis diagnosis =
         gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed}, session.progress);
+    if (graph) gap::addChains(diagnosis, *graph);
+    if (!options->html.empty()) core::writeFile(options->html, gap::reportHtml(diagnosis));
     if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
     if (options->json != "-") print(diagnosis, session.out);
     if (options->write_model.empty()) return;

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "gap/diagnosis.h"
+#include "gap/report_html.h"
+#include "gap/report_json.h"
+#include "tests/gap/small_world.h"
+
+// The measurement is made by our own model, with other noise: these cases are easier than foreign ones and show that
+// each kind of verdict is reached for its reason. The shared cases come from an independent generator.
+namespace {
+
+using test_support::SmallWorld;
+
+gap::Diagnosis diagnosed(const model::Experiment& experiment, const model::LidarModel& model,
+                         std::vector<std::string> library = {}) {
+  core::SilentProgress progress;
+  return gap::diagnose(experiment, model, {.library = std::move(library)}, progress);
+}
+
+TEST(Diagnose, SaysNoneWhereOnlyTheNoiseDiffers) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(model, 0.4), model);
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kNone);
+  EXPECT_FALSE(diagnosis.present);
+  EXPECT_TRUE(diagnosis.verdict.names.empty());
+  EXPECT_TRUE(diagnosis.proposed_model.is_null());
+}
+
+TEST(Diagnose, NamesFogAndRecoversItsVisibility) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 400}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-attenuation"});
+  ASSERT_EQ(diagnosis.causes.front().parameters.size(), 1U);
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 400.0, 20.0);  // 5 %
+  EXPECT_GT(diagnosis.shrink.fraction, 0.9);
+  EXPECT_TRUE(diagnosis.proposed_model["effects"].contains("atmospheric-attenuation"));
+}
+
+TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"cover-contamination", {{"attenuation", 0.2}, {"azimuth_from_deg", -12.5}, {"azimuth_to_deg", -4.5}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"cover-contamination"});
+  const auto azimuth = std::find_if(diagnosis.where.begin(), diagnosis.where.end(),
+                                    [](const gap::WhereRow& row) { return row.covariate == "azimuth_deg"; });
+  ASSERT_NE(azimuth, diagnosis.where.end());
+  EXPECT_NEAR(azimuth->low, -12.0, 1.01);
+  EXPECT_NEAR(azimuth->high, -5.0, 1.01);
+}
+
+TEST(Diagnose, SaysParameterWhereTheEchoPulseWidthScattersMoreThanItsProfile) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.09}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kParameter);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/sensor/detection/epw_noise_m"});
+}
+
+TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(model, 0.4, {{"r13", 0.12}, {"r36", -0.08}}), model);
+  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kReference);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/scene/0/pose/position_m/0"});
+  EXPECT_NEAR(diagnosis.causes.front().setups.at("r13").value, 0.12, 0.005);
+  EXPECT_NEAR(diagnosis.causes.front().setups.at("r36").value, -0.08, 0.005);
+  EXPECT_NEAR(diagnosis.causes.front().setups.at("r19").value, 0.0, 0.005);
+}
+
+TEST(Diagnose, SaysUnknownWhereTheCauseIsTakenOutOfTheLibrary) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"cover-contamination", {{"attenuation", 0.25}, {"azimuth_from_deg", -6.5}, {"azimuth_to_deg", 4.5}}}});
+  const gap::Diagnosis diagnosis =
+      diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}), {"range-offset", "range-walk"});
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
+  EXPECT_TRUE(diagnosis.present);
+  EXPECT_TRUE(diagnosis.proposed_model.is_null());
+}
+
+TEST(Diagnose, IsTheSameForAnyNumberOfThreads) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.07}}}});
+  const auto experiment = world.measuredBy(truth, 0.4);
+  const auto report = [&](int threads) {
+    core::limitThreads(threads);
+    auto json = gap::reportJson(diagnosed(experiment, SmallWorld::modelWith({}), {"range-offset", "detection-loss"}));
+    json.erase("elapsed_s");
+    return json.dump();
+  };
+  const std::string one = report(1), two = report(2);
+  core::limitThreads(0);
+  EXPECT_EQ(one, two);
+}
+
+TEST(Diagnose, IsLessSureWhereNoSampleCouldBeHeldOut) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 300}}}});
+  auto json = world.measuredBy(truth, 0.4).json;
+  const auto file = world.measuredBy(truth, 0.4).file;
+  json["samples"] = nlohmann::json::array({json["samples"][3]});
+  const gap::Diagnosis diagnosis = diagnosed(model::parseExperiment(json, file), SmallWorld::modelWith({}));
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+  EXPECT_LT(diagnosis.verdict.confidence, 0.7);
+}
+
+TEST(Diagnose, StopsWhenCancelled) {
+  class Impatient final : public core::Progress {
+   public:
+    void report(double fraction, std::string_view) override { late_ = fraction > 0.1; }
+    [[nodiscard]] bool cancelled() const override { return late_; }
+
+   private:
+    bool late_ = false;
+  } progress;
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.2}}}});
+  const auto experiment = world.measuredBy(truth, 0.4);
+  EXPECT_THROW((void)gap::diagnose(experiment, SmallWorld::modelWith({}), {}, progress), core::Cancelled);
+}
+
+TEST(GapReport, PageSaysSyntheticAndTheVerdict) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.2}}}});
+  const auto diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}), {"range-offset"});
+  const std::string page = gap::reportHtml(diagnosis);
+  EXPECT_NE(page.find("Synthetic data"), std::string::npos);
+  EXPECT_NE(page.find(diagnosis.verdict.names.at(0)), std::string::npos);
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/experiment.h"
+#include "model/lidar_model.h"
+#include "tests/support/paths.h"
+
+namespace test_support {
+
+/// A small experiment whose measurement is made by one model and diagnosed with another: a wall in front of a 4-layer
+/// scanner at six ranges, two of them held out.
+class SmallWorld {
+ public:
+  using Effects = std::map<std::string, nlohmann::json>;
+
+  explicit SmallWorld(double reflectivity = 0.4) : reflectivity_(reflectivity) {}
+
+  /// The model with these effects beside beam divergence; other `sensor` values by JSON Pointer.
+  [[nodiscard]] static model::LidarModel modelWith(const Effects& effects,
+                                                   const std::map<std::string, double>& sensor = {});
+  /// The package as recorded: measured by `truth` in a world in which the wall stands `offset_m` farther than recorded
+  /// (per sample, 0 if absent) and has `true_reflectivity`.
+  [[nodiscard]] model::Experiment measuredBy(const model::LidarModel& truth, double true_reflectivity,
+                                             const std::map<std::string, double>& offset_m = {}) const;
+  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  double reflectivity_;
+  TemporaryFolder folder_;
+};
+
+}  // namespace test_support
