@@ -167,8 +167,9 @@ QVariant CepraModel::data(const QModelIndex& index, int role) const {
 QVariant CepraModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical) return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
   static const QStringList kTitles = {tr("Phenomenon"), tr("Effect path"), tr("Design parameters"),
-                                      tr("System-independent causes"), tr("O"), tr("Why (occurrence)"), tr("Expert"),
-                                      tr("I"), tr("Why (impact)"), tr("Expert"), tr("O+I"), tr("Notes")};
+                                      tr("System-independent causes"), tr("O"), tr("I"), tr("O+I"),
+                                      tr("Why (occurrence)"), tr("Expert (O)"), tr("Why (impact)"), tr("Expert (I)"),
+                                      tr("Notes")};
   static const std::map<int, QString> kTips = {{Occurrence, tr("Occurrence, 1 to 10")},
                                                {OccurrenceExpert, tr("Who scored the occurrence")},
                                                {Impact, tr("Impact, 1 to 10")},

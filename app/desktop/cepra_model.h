@@ -22,12 +22,12 @@ class CepraModel final : public QAbstractTableModel {
     DesignParameters,
     SystemIndependent,
     Occurrence,
+    Impact,
+    Relevance,
     OccurrenceWhy,
     OccurrenceExpert,
-    Impact,
     ImpactWhy,
     ImpactExpert,
-    Relevance,
     Notes,
     ColumnCount
   };

@@ -79,7 +79,7 @@ QWidget* CepraPage::makeBar() {
   search_->setPlaceholderText(tr("Filter rows by words"));
   search_->setAccessibleName(tr("Filter of the relevance table"));
   search_->setClearButtonEnabled(true);
-  search_->setMaximumWidth(320);
+  search_->setFixedWidth(280);
   gap_ = new QComboBox;
   gap_->setAccessibleName(tr("Which rows"));
   gap_->addItems({tr("All rows"), tr("Not scored"), tr("Suspect"), tr("Relevant without requirement")});
@@ -133,7 +133,9 @@ QWidget* CepraPage::makeSide() {
 const cepra::Scale* CepraPage::currentScale() const {
   if (!scales_) return nullptr;
   const int column = view_->currentIndex().column();
-  return column >= CepraModel::Impact && column <= CepraModel::ImpactExpert ? &scales_->impact : &scales_->occurrence;
+  const bool impact =
+      column == CepraModel::Impact || column == CepraModel::ImpactWhy || column == CepraModel::ImpactExpert;
+  return impact ? &scales_->impact : &scales_->occurrence;
 }
 
 void CepraPage::showScale() {

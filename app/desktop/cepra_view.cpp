@@ -113,7 +113,7 @@ CepraView::CepraView(CepraModel& model, CepraFilter& filter, QWidget* parent)
   verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() * 2 + 8);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setSectionsMovable(true);
-  constexpr int kWidths[CepraModel::ColumnCount] = {150, 270, 150, 190, 36, 170, 76, 36, 170, 76, 48, 140};
+  constexpr int kWidths[CepraModel::ColumnCount] = {140, 250, 140, 160, 36, 36, 44, 170, 84, 170, 84, 140};
   for (int column = 0; column < CepraModel::ColumnCount; ++column) setColumnWidth(column, kWidths[column]);
   horizontalHeader()->setMinimumSectionSize(30);
 }

@@ -97,7 +97,7 @@ QWidget* GraphPage::makeBar() {
   search_->setPlaceholderText(tr("Search titles and tags"));
   search_->setAccessibleName(tr("Search in the graph"));
   search_->setClearButtonEnabled(true);
-  search_->setMaximumWidth(320);
+  search_->setFixedWidth(280);
   auto* completer = new QCompleter(completions_, this);
   completer->setFilterMode(Qt::MatchContains);
   completer->setCaseSensitivity(Qt::CaseInsensitive);

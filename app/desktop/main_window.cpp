@@ -13,6 +13,8 @@
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/graph_page.h"
 #include "app/desktop/recent_files.h"
+#include "app/desktop/results_page.h"
+#include "app/desktop/spec_page.h"
 #include "app/desktop/start_page.h"
 
 namespace desktop {
@@ -44,11 +46,16 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::makeTabs() {
+  tabs_->setObjectName("tabs");
   tabs_->setDocumentMode(true);
   graph_ = new GraphPage(document_);
   cepra_ = new CepraPage(document_);
   tabs_->addTab(graph_, tr("Graph"));
   tabs_->addTab(cepra_, tr("Relevance (CEPRA)"));
+  spec_ = new SpecPage(document_);
+  tabs_->addTab(spec_, tr("Specification"));
+  results_ = new ResultsPage(document_, [this] { return save(); });
+  tabs_->addTab(results_, tr("Results"));
 }
 
 void MainWindow::connectPages() {
@@ -60,6 +67,20 @@ void MainWindow::connectPages() {
   connect(cepra_, &CepraPage::nodeRequested, this, [this](const QString& node) {
     showTab(Graph);
     graph_->showNode(node.toStdString());
+  });
+  const auto show_item = [this](const QString& id) {
+    showTab(Specification);
+    spec_->showItem(id.toStdString());
+  };
+  connect(graph_, &GraphPage::itemRequested, this, show_item);
+  connect(cepra_, &CepraPage::itemRequested, this, show_item);
+  connect(spec_, &SpecPage::rowRequested, this, [this](const QString& key) {
+    showTab(Relevance);
+    cepra_->showRow(key.toStdString());
+  });
+  connect(spec_, &SpecPage::resultRequested, this, [this](const QString& test) {
+    showTab(Results);
+    results_->showTest(test.toStdString());
   });
 }
 

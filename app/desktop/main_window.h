@@ -15,6 +15,8 @@ namespace desktop {
 
 class CepraPage;
 class GraphPage;
+class ResultsPage;
+class SpecPage;
 class StartPage;
 
 /// The window: one project, a tab for each view. Knows files and menus; what a tab shows is the tab's business.
@@ -25,7 +27,7 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  enum Tab { Graph, Relevance, TabCount };
+  enum Tab { Graph, Relevance, Specification, Results, TabCount };
 
   /// Shows an error and returns false if the file cannot be opened.
   bool openProject(const std::filesystem::path& file);
@@ -35,6 +37,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] ProjectDocument& document() noexcept { return document_; }
   [[nodiscard]] GraphPage& graphPage() noexcept { return *graph_; }
   [[nodiscard]] CepraPage& cepraPage() noexcept { return *cepra_; }
+  [[nodiscard]] SpecPage& specPage() noexcept { return *spec_; }
+  [[nodiscard]] ResultsPage& resultsPage() noexcept { return *results_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -47,6 +51,7 @@ class MainWindow final : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeTestMenu();
   void makeHelpMenu();
   void connectPages();
   void askAndOpen();
@@ -67,6 +72,8 @@ class MainWindow final : public QMainWindow {
   QTabWidget* tabs_;
   GraphPage* graph_;
   CepraPage* cepra_;
+  SpecPage* spec_;
+  ResultsPage* results_;
   QLabel* place_;
   QMenu* recent_menu_ = nullptr;
   QList<QAction*> needs_project_;

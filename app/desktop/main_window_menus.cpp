@@ -11,6 +11,7 @@
 #include "app/desktop/graph_page.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/recent_files.h"
+#include "app/desktop/results_page.h"
 #include "core/version.h"
 #include "percollect/read_graph.h"
 #include "specs/documents.h"
@@ -28,6 +29,7 @@ void MainWindow::makeMenus() {
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
+  makeTestMenu();
   makeHelpMenu();
 }
 
@@ -38,7 +40,7 @@ void MainWindow::makeFileMenu() {
   recent_menu_ = menu->addMenu(tr("Open &recent"));
   menu->addSeparator();
   needs_project_ << menu->addAction(tr("&Save"), QKeySequence::Save, this, &MainWindow::save);
-  needs_project_ << menu->addAction(tr("Re&load"), QKeySequence::Refresh, this, [this] {
+  needs_project_ << menu->addAction(tr("Re&load"), QKeySequence(Qt::CTRL | Qt::Key_R), this, [this] {
     if (maySwitchProject()) guarded(this, [&] { document_.reload(); });
   });
   QMenu* exports = menu->addMenu(tr("&Export specification"));
@@ -85,6 +87,19 @@ void MainWindow::makeViewMenu() {
   dark->setCheckable(true);
   dark->setChecked(settings_.value("dark").toBool());
   connect(dark, &QAction::toggled, this, &MainWindow::setDark);
+}
+
+void MainWindow::makeTestMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Test"));
+  needs_project_ << menu->addAction(tr("Run &selected"), QKeySequence(Qt::Key_F5), this, [this] {
+    showTab(Results);
+    results_->runSelected();
+  });
+  needs_project_ << menu->addAction(tr("Run &all"), QKeySequence(Qt::CTRL | Qt::Key_F5), this, [this] {
+    showTab(Results);
+    results_->runAll();
+  });
+  needs_project_ << menu->addAction(tr("&Cancel run"), this, [this] { results_->cancel(); });
 }
 
 void MainWindow::makeHelpMenu() {

@@ -169,6 +169,11 @@ void ProjectDocument::setLinked(const std::string& from, const std::string& to, 
   undo_stack_.push(new EditSpecification(*this, {.linked = {{from, to}}}, tr("link %1").arg(QString::fromStdString(to))));
 }
 
+void ProjectDocument::markReviewed(const std::string& from, const std::string& to) {
+  undo_stack_.push(new EditSpecification(*this, {.unlinked = {{from, to, true}}, .linked = {{from, to, false}}},
+                                         tr("review link to %1").arg(QString::fromStdString(to))));
+}
+
 std::string ProjectDocument::proposeId(const std::string& origin) const {
   std::vector<std::string> taken;
   for (const AnyItem& it : itemsOf(specification_)) taken.push_back(base(it).id);
@@ -182,6 +187,17 @@ std::string ProjectDocument::proposeId(const std::string& origin) const {
     std::string id = stem + "_" + std::to_string(i);
     if (std::ranges::find(taken, id) == taken.end()) return id;
   }
+}
+
+std::optional<specs::TestVerdict> ProjectDocument::lastEvaluation(const std::string& test_id) const {
+  if (!store_) return std::nullopt;
+  for (const specs::TestRun& run : store_->latestRuns()) {
+    const auto of_test = [&](const specs::TestVerdict& verdict) { return verdict.test == test_id; };
+    if (std::ranges::none_of(run.verdicts, of_test)) continue;
+    const auto whole = store_->findRun(run.id);
+    return *std::ranges::find_if(whole->verdicts, of_test);
+  }
+  return std::nullopt;
 }
 
 void ProjectDocument::refreshVerdicts() {

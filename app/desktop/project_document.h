@@ -62,10 +62,15 @@ class ProjectDocument final : public QObject {
   void removeItem(const std::string& id);
   void setLinked(const std::string& from, const std::string& to, bool linked);  // throws InputError
 
+  /// Somebody has looked at a suspect link.
+  void markReviewed(const std::string& from, const std::string& to);
+
   /// A free shown id for something new that follows from a row or an item.
   [[nodiscard]] std::string proposeId(const std::string& origin) const;
 
   [[nodiscard]] specs::ProjectStore& store() { return *store_; }
+  /// The newest run of a test with everything that its report shows; nothing if it never ran.
+  [[nodiscard]] std::optional<specs::TestVerdict> lastEvaluation(const std::string& test_id) const;
   /// Newest verdicts again from the file, after a run was stored.
   void refreshVerdicts();
 

@@ -1,0 +1,92 @@
+#include "app/desktop/test_runner.h"
+
+#include <QElapsedTimer>
+#include <functional>
+#include <mutex>
+
+#include "acceptance/run.h"
+#include "core/progress.h"
+#include "specs/project_store.h"
+
+namespace desktop {
+
+namespace {
+
+/// Hands reports over to the window's thread, at most twenty a second.
+class WindowProgress final : public core::Progress {
+ public:
+  WindowProgress(std::shared_ptr<std::atomic<bool>> stop, std::function<void(double, QString)> tell)
+      : stop_(std::move(stop)), tell_(std::move(tell)) {
+    clock_.start();
+  }
+
+  void report(double fraction, std::string_view doing) override {
+    constexpr qint64 kPause_ms = 50;
+    const std::lock_guard lock(mutex_);
+    if (told_ && clock_.elapsed() < kPause_ms) return;
+    told_ = true;
+    clock_.restart();
+    tell_(fraction, QString::fromUtf8(doing.data(), qsizetype(doing.size())));
+  }
+
+  [[nodiscard]] bool cancelled() const override { return *stop_; }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> stop_;
+  std::function<void(double, QString)> tell_;
+  std::mutex mutex_;
+  QElapsedTimer clock_;
+  bool told_ = false;
+};
+
+/// What the thread leaves behind; one of them, or neither if it was cancelled.
+struct Outcome {
+  std::optional<acceptance::RunResult> result;
+  std::optional<core::InputError> error;
+};
+
+}  // namespace
+
+TestRunner::TestRunner(QObject* parent) : QObject(parent) {}
+
+TestRunner::~TestRunner() {
+  cancel();
+  if (thread_) thread_->wait();
+}
+
+void TestRunner::cancel() {
+  if (stop_) *stop_ = true;
+}
+
+void TestRunner::start(const std::filesystem::path& project, const std::vector<std::string>& tests) {
+  if (isRunning()) return;
+  stop_ = std::make_shared<std::atomic<bool>>(false);
+  auto outcome = std::make_shared<Outcome>();
+  const auto tell = [this](double fraction, const QString& doing) {
+    QMetaObject::invokeMethod(this, [this, fraction, doing] { emit progressed(fraction, doing); }, Qt::QueuedConnection);
+  };
+  thread_.reset(QThread::create([project, tests, outcome, tell, stop = stop_] {
+    WindowProgress progress(stop, tell);
+    try {
+      const auto store = specs::ProjectStore::open(project, specs::Access::ReadOnly);
+      outcome->result = acceptance::runTests(store, {.tests = tests, .model = {}, .seed = {}}, progress);
+    } catch (const core::InputError& error) {
+      outcome->error = error;
+    } catch (const core::Cancelled&) {
+      // Nothing is left behind; the window says so.
+    }
+  }));
+  connect(thread_.get(), &QThread::finished, this, [this, outcome] {
+    thread_.release()->deleteLater();
+    if (outcome->error) {
+      emit failed(*outcome->error);
+    } else if (outcome->result) {
+      emit finished(*outcome->result);
+    } else {
+      emit cancelled();
+    }
+  });
+  thread_->start();
+}
+
+}  // namespace desktop

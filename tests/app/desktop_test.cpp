@@ -1,0 +1,289 @@
+// Drives the real window on a real project file in a temporary folder. Runs under any platform plug-in: Xvfb (CTest
+// does that) or QT_QPA_PLATFORM=offscreen. Pictures of every tab stay in build/screenshots.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTest>
+
+#include "app/desktop/cepra_page.h"
+#include "app/desktop/colours.h"
+#include "app/desktop/graph_page.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/recent_files.h"
+#include "app/desktop/results_page.h"
+#include "app/desktop/screenshots.h"
+#include "app/desktop/spec_page.h"
+#include "percollect/read_graph.h"
+#include "specs/import_graph.h"
+#include "specs/lists.h"
+#include "tests/support/paths.h"
+
+namespace {
+
+using desktop::CepraModel;
+using desktop::Emphasis;
+using desktop::MainWindow;
+
+const specs::Signature kEve{.who = "eve", .when = "2026-01-02T03:04:05Z"};
+
+/// The demo project in a folder of its own, with an open window on it.
+class Desktop : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto demo = test_support::sourceFolder() / "resources" / "demo";
+    for (const char* part : {"range-sweep", "foggy-sweep", "model.json"}) {
+      std::filesystem::copy(demo / part, folder_ / part, std::filesystem::copy_options::recursive);
+    }
+    {
+      auto store = specs::ProjectStore::create(file());
+      specs::importGraph(store, percollect::readGraph(demo / "lidar-excerpt.json").graph, kEve);
+      specs::applyLists(store, specs::readLists(demo / "specification", store.specification()), false, kEve);
+    }
+    settings_ = std::make_unique<QSettings>(QString::fromStdString((folder_ / "settings.ini").string()), QSettings::IniFormat);
+    openWindow();
+  }
+
+  void openWindow() {
+    window_ = std::make_unique<MainWindow>(*settings_);
+    window_->show();
+    ASSERT_TRUE(window_->openProject(file()));
+    desktop::settle(*window_);
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "demo.fidelis"; }
+  [[nodiscard]] specs::ProjectStore saved() const { return specs::ProjectStore::open(file()); }
+  [[nodiscard]] const percollect::Graph& graph() const { return window_->document().graph(); }
+  template <class T>
+  T* child(const char* name) {
+    return window_->findChild<T*>(name);
+  }
+  [[nodiscard]] QModelIndex cell(int row, int column) {
+    return window_->cepraPage().view().model()->index(row, column);
+  }
+  void pressKey(int key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&window_->cepraPage().view(), Qt::Key(key), modifiers);
+  }
+
+  test_support::TemporaryFolder folder_;
+  std::unique_ptr<QSettings> settings_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(Desktop, SearchInTheGraphCountsItsHitsAndDimsTheRest) {
+  QTest::keyClicks(child<QLineEdit>("graphSearch"), "noise");
+  std::size_t expected = 0;
+  for (const percollect::Node& node : graph().nodes()) {
+    const auto holds = [](const std::string& text) { return QString::fromStdString(text).contains("noise", Qt::CaseInsensitive); };
+    expected += holds(node.title) || std::ranges::any_of(node.tags, holds);
+  }
+  ASSERT_GT(expected, 0u);
+  EXPECT_TRUE(child<QLabel>("graphHits")->text().startsWith(QString::number(expected)));
+  EXPECT_EQ(window_->graphPage().scene().emphasisOf(graph().phenomena()[0]), Emphasis::Dimmed);
+}
+
+TEST_F(Desktop, AClickOnANodeHighlightsItsChains) {
+  auto& scene = window_->graphPage().scene();
+  auto& view = window_->graphPage().view();
+  const std::size_t phenomenon = graph().phenomena()[0];
+  const std::size_t cause = graph().children(phenomenon)[0];
+  desktop::NodeItem* item = scene.itemOf(cause);
+  ASSERT_NE(item, nullptr);
+  view.fit();
+  QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.mapFromScene(item->scenePos() - QPointF(60, 0)));
+  EXPECT_EQ(scene.selected(), cause);
+  EXPECT_EQ(scene.emphasisOf(cause), Emphasis::Selected);
+  EXPECT_EQ(scene.emphasisOf(phenomenon), Emphasis::Chain);
+}
+
+TEST_F(Desktop, ANodeLeadsToItsRowsInTheTable) {
+  const std::string id = graph().node(graph().phenomena()[0]).id;
+  emit window_->graphPage().rowsRequested(QString::fromStdString(id));
+  EXPECT_EQ(child<QTabWidget>("tabs")->currentIndex(), MainWindow::Relevance);
+  EXPECT_EQ(std::size_t(window_->cepraPage().view().model()->rowCount()), window_->document().rowsWithNode(id).size());
+}
+
+TEST_F(Desktop, ADigitScoresUndoTakesItBackAndSaveKeepsIt) {
+  window_->showTab(MainWindow::Relevance);
+  auto& view = window_->cepraPage().view();
+  view.setCurrentIndex(cell(0, CepraModel::Occurrence));
+  const auto before = window_->document().table().rows[0].occurrence.value;
+  pressKey(Qt::Key_0);
+  EXPECT_EQ(window_->document().table().rows[0].occurrence.value, 10);
+  EXPECT_TRUE(window_->isWindowModified());
+  EXPECT_EQ(window_->document().undoStack().undoText(), "score 10");
+
+  window_->document().undoStack().undo();
+  EXPECT_EQ(window_->document().table().rows[0].occurrence.value, before);
+  EXPECT_FALSE(window_->isWindowModified());
+
+  pressKey(Qt::Key_3);
+  EXPECT_EQ(saved().cepra().rows[0].occurrence.value, before);  // not before it is saved
+  ASSERT_TRUE(window_->save());
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_EQ(saved().cepra().rows[0].occurrence.value, 3);
+
+  window_.reset();
+  openWindow();
+  EXPECT_EQ(window_->document().table().rows[0].occurrence.value, 3);
+}
+
+TEST_F(Desktop, ATypedScoreThatIsNoneIsRefusedInWords) {
+  auto& model = window_->cepraPage().model();
+  const auto before = window_->document().table().rows[1].impact.value;
+  EXPECT_FALSE(model.setData(model.index(1, CepraModel::Impact), "11"));
+  EXPECT_EQ(window_->document().table().rows[1].impact.value, before);
+  EXPECT_TRUE(child<QLabel>("cepraMessage")->text().contains("'11' is no score: whole numbers from 1 to 10"));
+  EXPECT_FALSE(window_->isWindowModified());
+}
+
+TEST_F(Desktop, BlocksArePastedAsOneStepAndBadCellsAreNamed) {
+  auto& view = window_->cepraPage().view();
+  view.setCurrentIndex(cell(0, CepraModel::Occurrence));
+  QApplication::clipboard()->setText("2\t9\n4\tmany\n");
+  pressKey(Qt::Key_V, Qt::ControlModifier);
+  const auto& rows = window_->document().table().rows;
+  EXPECT_EQ(rows[0].occurrence.value, 2);
+  EXPECT_EQ(rows[0].impact.value, 9);
+  EXPECT_EQ(rows[1].occurrence.value, 4);
+  EXPECT_TRUE(child<QLabel>("cepraMessage")->text().contains("Row 2, I: 'many' is no score"));
+  EXPECT_EQ(window_->document().undoStack().count(), 1);
+}
+
+TEST_F(Desktop, ARationaleIsTypedAsInASpreadsheet) {
+  window_->showTab(MainWindow::Relevance);
+  auto& view = window_->cepraPage().view();
+  view.setCurrentIndex(cell(0, CepraModel::OccurrenceWhy));
+  pressKey(Qt::Key_F2);
+  auto* editor = view.findChild<QPlainTextEdit*>();
+  ASSERT_NE(editor, nullptr);
+  QTest::keyClicks(editor, "seen in winter");
+  QTest::keyClick(editor, Qt::Key_Return);
+  EXPECT_EQ(window_->document().table().rows[0].occurrence.rationale, "seen in winter");
+  EXPECT_EQ(view.currentIndex(), cell(1, CepraModel::OccurrenceWhy));
+}
+
+TEST_F(Desktop, FilteringCountsItsHits) {
+  QTest::keyClicks(child<QLineEdit>("cepraSearch"), "fog");
+  const int shown = window_->cepraPage().view().model()->rowCount();
+  EXPECT_LT(shown, int(window_->document().table().rows.size()));
+  EXPECT_EQ(child<QLabel>("cepraCount")->text(),
+            QString("%1 of %2 rows").arg(shown).arg(window_->document().table().rows.size()));
+}
+
+TEST_F(Desktop, TypingInAFieldIsOneStepAndReachesTheFile) {
+  window_->showTab(MainWindow::Specification);
+  const std::string id = window_->document().specification().requirements[0].id;
+  window_->specPage().showItem(id);
+  auto* title = qobject_cast<QLineEdit*>(window_->specPage().form().editor("title"));
+  title->selectAll();
+  QTest::keyClicks(title, "A new title");
+  EXPECT_EQ(window_->document().undoStack().count(), 1);
+  EXPECT_EQ(window_->specPage().tree().currentIndex().siblingAtColumn(0).data().toString(), "A new title");
+  window_->document().undoStack().undo();
+  EXPECT_NE(title->text(), "A new title");
+  window_->document().undoStack().redo();
+  EXPECT_EQ(title->text(), "A new title");
+  ASSERT_TRUE(window_->save());
+  EXPECT_EQ(saved().find<specs::Requirement>(id)->title, "A new title");
+}
+
+TEST_F(Desktop, ARemovedItemComesBackWithItsLinks) {
+  auto& document = window_->document();
+  const std::string id = document.specification().requirements[0].id;
+  const auto before = document.specification();
+  document.removeItem(id);
+  EXPECT_FALSE(document.item(id));
+  ASSERT_TRUE(window_->save());
+  document.undoStack().undo();
+  ASSERT_TRUE(window_->save());
+  EXPECT_EQ(saved().specification().requirements, before.requirements);
+  EXPECT_EQ(saved().specification().links, before.links);
+}
+
+TEST_F(Desktop, ALinkThatMayNotBeIsRefusedWithPlaceAndRemedy) {
+  auto& document = window_->document();
+  const std::string test = document.specification().tests[0].id;
+  const std::string requirement = document.specification().requirements[0].id;
+  try {
+    document.setLinked(test, requirement, true);
+    FAIL() << "was taken";
+  } catch (const core::InputError& error) {
+    EXPECT_EQ(error.place().item, test + " -> " + requirement);
+    EXPECT_EQ(error.remedy().substr(0, 23), "Links lead from a CEPRA");
+  }
+}
+
+TEST_F(Desktop, AnAcceptanceTestRunsInTheBackgroundAndItsVerdictIsStored) {
+  window_->showTab(MainWindow::Results);
+  auto& results = window_->resultsPage();
+  results.tests().selectRow(0);
+  QSignalSpy finished(&results.runner(), &desktop::TestRunner::finished);
+  results.runSelected();
+  EXPECT_TRUE(results.runner().isRunning());
+  ASSERT_TRUE(finished.wait(120'000));
+  const std::string id = window_->document().specification().tests[0].id;
+  EXPECT_EQ(saved().latestVerdicts().count(id), 1u);
+  EXPECT_GT(results.numbers().rowCount(), 0);
+  EXPECT_TRUE(results.plot().hasFigure());
+}
+
+TEST_F(Desktop, ACancelledRunStoresNothing) {
+  auto& results = window_->resultsPage();
+  QSignalSpy cancelled(&results.runner(), &desktop::TestRunner::cancelled);
+  results.runAll();
+  results.cancel();
+  ASSERT_TRUE(cancelled.wait(120'000));
+  EXPECT_TRUE(saved().latestRuns().empty());
+}
+
+TEST_F(Desktop, TheProjectIsRememberedAmongTheRecentFiles) {
+  EXPECT_EQ(desktop::recentFiles(*settings_), QStringList{QString::fromStdString(file().string())});
+}
+
+// What the words say must be readable on what they stand on: WCAG 2.1 asks for 4.5 : 1.
+TEST(Colours, TextIsReadableInLightAndInDark) {
+  using namespace desktop;
+  for (const QPalette& palette : {lightPalette(), darkPalette()}) {
+    const QColor base = palette.color(QPalette::Base);
+    EXPECT_GE(contrast(muted(palette), base), 4.5);
+    EXPECT_GE(contrast(palette.color(QPalette::Link), base), 4.5);
+    for (const QColor& accent : {accent::kBlue, accent::kOrange, accent::kTeal, accent::kRed, accent::kPurple}) {
+      EXPECT_GE(contrast(readable(palette, accent), base), 4.5) << accent.name().toStdString();
+    }
+    for (int score = 1; score <= 10; ++score) {
+      EXPECT_GE(contrast(palette.color(QPalette::Text), weightColour(palette, score, 10)), 4.5) << score;
+    }
+  }
+}
+
+TEST_F(Desktop, PicturesOfEveryTabInLightAndDark) {
+  QSignalSpy finished(&window_->resultsPage().runner(), &desktop::TestRunner::finished);
+  window_->resultsPage().runAll();
+  ASSERT_TRUE(finished.wait(300'000));
+  const std::filesystem::path pictures = FIDELIS_SCREENSHOTS;
+  QApplication::setPalette(desktop::lightPalette());
+  desktop::renderTabs(*window_, pictures / "light");
+  QApplication::setPalette(desktop::darkPalette());
+  desktop::renderTabs(*window_, pictures / "dark");
+  QApplication::setPalette(desktop::lightPalette());
+  for (const char* name : {"graph", "relevance", "specification", "results"}) {
+    EXPECT_GT(std::filesystem::file_size(pictures / "light" / (std::string(name) + ".png")), 10'000u);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setStyle("Fusion");
+  QApplication::setPalette(desktop::lightPalette());
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
