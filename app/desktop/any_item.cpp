@@ -34,10 +34,14 @@ specs::Kind kindOf(const AnyItem& item) {
 
 AnyItem emptyItem(specs::Kind kind) {
   switch (kind) {
-    case specs::Kind::AcceptanceTest: return specs::AcceptanceTest{};
-    case specs::Kind::ExperimentData: return specs::ExperimentData{};
-    case specs::Kind::ReferenceData: return specs::ReferenceData{};
-    default: return specs::Requirement{};
+    case specs::Kind::AcceptanceTest:
+      return specs::AcceptanceTest{};
+    case specs::Kind::ExperimentData:
+      return specs::ExperimentData{};
+    case specs::Kind::ReferenceData:
+      return specs::ReferenceData{};
+    default:
+      return specs::Requirement{};
   }
 }
 
@@ -86,9 +90,8 @@ void insertItem(specs::Specification& specification, const AnyItem& item) {
       [&](const auto& it) {
         using T = std::decay_t<decltype(it)>;
         std::vector<T>& items = listOf<T>(specification);
-        const auto at = std::upper_bound(items.begin(), items.end(), it, [](const T& a, const T& b) {
-          return specs::naturallyLess(a.id, b.id);
-        });
+        const auto at = std::upper_bound(items.begin(), items.end(), it,
+                                         [](const T& a, const T& b) { return specs::naturallyLess(a.id, b.id); });
         items.insert(at, it);
       },
       item);

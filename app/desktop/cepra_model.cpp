@@ -33,12 +33,18 @@ QString pathText(const cepra::Row& row) {
 
 std::string* textField(cepra::Row& row, int column) {
   switch (column) {
-    case CepraModel::OccurrenceWhy: return &row.occurrence.rationale;
-    case CepraModel::OccurrenceExpert: return &row.occurrence.expert;
-    case CepraModel::ImpactWhy: return &row.impact.rationale;
-    case CepraModel::ImpactExpert: return &row.impact.expert;
-    case CepraModel::Notes: return &row.notes;
-    default: return nullptr;
+    case CepraModel::OccurrenceWhy:
+      return &row.occurrence.rationale;
+    case CepraModel::OccurrenceExpert:
+      return &row.occurrence.expert;
+    case CepraModel::ImpactWhy:
+      return &row.impact.rationale;
+    case CepraModel::ImpactExpert:
+      return &row.impact.expert;
+    case CepraModel::Notes:
+      return &row.notes;
+    default:
+      return nullptr;
   }
 }
 
@@ -56,7 +62,8 @@ QString put(cepra::Row& row, int column, const std::string& text) {
     return {};
   }
   if (!core::parseNumber(digits, value) || value != int(value) || value < 1 || value > kLargestScore) {
-    return QObject::tr("'%1' is no score: whole numbers from 1 to 10 are, or nothing.").arg(QString::fromStdString(text));
+    return QObject::tr("'%1' is no score: whole numbers from 1 to 10 are, or nothing.")
+        .arg(QString::fromStdString(text));
   }
   score = int(value);
   return {};
@@ -83,9 +90,7 @@ CepraModel::CepraModel(ProjectDocument& document, QObject* parent) : QAbstractTa
   });
 }
 
-bool CepraModel::isEditable(int column) {
-  return column >= Occurrence && column < ColumnCount && column != Relevance;
-}
+bool CepraModel::isEditable(int column) { return column >= Occurrence && column < ColumnCount && column != Relevance; }
 
 const cepra::Row& CepraModel::row(int row) const { return document_.table().rows.at(std::size_t(row)); }
 
@@ -98,14 +103,22 @@ int CepraModel::columnCount(const QModelIndex& parent) const { return parent.isV
 std::string CepraModel::textOf(const QModelIndex& index) const {
   const cepra::Row& row = this->row(index.row());
   switch (index.column()) {
-    case Phenomenon: return row.phenomenon().title;
-    case EffectPath: return pathText(row).toStdString();
-    case DesignParameters: return titles(row.causesOfKind(percollect::NodeKind::DesignParameter)).toStdString();
-    case SystemIndependent: return titles(row.causesOfKind(percollect::NodeKind::SystemIndependent)).toStdString();
-    case Occurrence: return scoreText(row.occurrence.value).toStdString();
-    case Impact: return scoreText(row.impact.value).toStdString();
-    case Relevance: return scoreText(row.relevance()).toStdString();
-    default: break;
+    case Phenomenon:
+      return row.phenomenon().title;
+    case EffectPath:
+      return pathText(row).toStdString();
+    case DesignParameters:
+      return titles(row.causesOfKind(percollect::NodeKind::DesignParameter)).toStdString();
+    case SystemIndependent:
+      return titles(row.causesOfKind(percollect::NodeKind::SystemIndependent)).toStdString();
+    case Occurrence:
+      return scoreText(row.occurrence.value).toStdString();
+    case Impact:
+      return scoreText(row.impact.value).toStdString();
+    case Relevance:
+      return scoreText(row.relevance()).toStdString();
+    default:
+      break;
   }
   cepra::Row copy = row;
   const std::string* field = textField(copy, index.column());
@@ -117,7 +130,8 @@ QVariant CepraModel::decoration(const cepra::Row& row, int column) const {
 }
 
 QString CepraModel::toolTip(const cepra::Row& row, const QModelIndex& index) const {
-  if (index.column() == Phenomenon && row.isSuspect()) return tr("Suspect: %1").arg(QString::fromStdString(row.suspect));
+  if (index.column() == Phenomenon && row.isSuspect())
+    return tr("Suspect: %1").arg(QString::fromStdString(row.suspect));
   return QString::fromStdString(textOf(index));
 }
 
@@ -140,10 +154,14 @@ QVariant CepraModel::data(const QModelIndex& index, int role) const {
   const std::optional<int> value = numberIn(row, column);
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole: return QString::fromStdString(textOf(index));
-    case Qt::ToolTipRole: return toolTip(row, index);
-    case Qt::DecorationRole: return decoration(row, column);
-    case Qt::TextAlignmentRole: return int(number ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::EditRole:
+      return QString::fromStdString(textOf(index));
+    case Qt::ToolTipRole:
+      return toolTip(row, index);
+    case Qt::DecorationRole:
+      return decoration(row, column);
+    case Qt::TextAlignmentRole:
+      return int(number ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::BackgroundRole:
       return value ? QVariant(weightColour(QApplication::palette(), *value,
                                            column == Relevance ? kLargestRelevance : kLargestScore))
@@ -157,18 +175,30 @@ QVariant CepraModel::data(const QModelIndex& index, int role) const {
       return number ? headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString() + " " +
                           (value ? QString::number(*value) : tr("not given"))
                     : QVariant(QString::fromStdString(textOf(index)));
-    case SortRole: return number ? QVariant(value.value_or(-1)) : QVariant(QString::fromStdString(textOf(index)));
-    case SearchRole: return searchText(row);
-    case RowRole: return index.row();
-    default: return {};
+    case SortRole:
+      return number ? QVariant(value.value_or(-1)) : QVariant(QString::fromStdString(textOf(index)));
+    case SearchRole:
+      return searchText(row);
+    case RowRole:
+      return index.row();
+    default:
+      return {};
   }
 }
 
 QVariant CepraModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical) return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
-  static const QStringList kTitles = {tr("Phenomenon"), tr("Effect path"), tr("Design parameters"),
-                                      tr("System-independent causes"), tr("O"), tr("I"), tr("O+I"),
-                                      tr("Why (occurrence)"), tr("Expert (O)"), tr("Why (impact)"), tr("Expert (I)"),
+  static const QStringList kTitles = {tr("Phenomenon"),
+                                      tr("Effect path"),
+                                      tr("Design parameters"),
+                                      tr("System-independent causes"),
+                                      tr("O"),
+                                      tr("I"),
+                                      tr("O+I"),
+                                      tr("Why (occurrence)"),
+                                      tr("Expert (O)"),
+                                      tr("Why (impact)"),
+                                      tr("Expert (I)"),
                                       tr("Notes")};
   static const std::map<int, QString> kTips = {{Occurrence, tr("Occurrence, 1 to 10")},
                                                {OccurrenceExpert, tr("Who scored the occurrence")},
@@ -188,8 +218,8 @@ Qt::ItemFlags CepraModel::flags(const QModelIndex& index) const {
 
 bool CepraModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || !isEditable(index.column())) return false;
-  const QString what = tr("set %1").arg(headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString()
-                                            .section(',', 0, 0).toLower());
+  const QString what = tr("set %1").arg(
+      headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString().section(',', 0, 0).toLower());
   return setTexts({{index, value.toString().toStdString()}}, what) == 1;
 }
 
@@ -205,7 +235,8 @@ int CepraModel::setTexts(const std::vector<CellText>& cells, const QString& what
     if (problem.isEmpty()) {
       ++taken;
     } else {
-      problems << tr("Row %1, %2: %3").arg(number + 1)
+      problems << tr("Row %1, %2: %3")
+                      .arg(number + 1)
                       .arg(headerData(cell.cell.column(), Qt::Horizontal, Qt::DisplayRole).toString(), problem);
     }
   }
@@ -240,11 +271,15 @@ void CepraFilter::setGap(Gap gap) {
 
 bool CepraFilter::inGap(const cepra::Row& row) const {
   switch (gap_) {
-    case Gap::Unscored: return !row.isScored();
-    case Gap::Suspect: return row.isSuspect();
+    case Gap::Unscored:
+      return !row.isScored();
+    case Gap::Suspect:
+      return row.isSuspect();
     case Gap::RelevantWithoutRequirement:
-      return row.relevance().value_or(0) >= specs::RuleOptions{}.relevant_from && document_.requirementsOf(row.key).empty();
-    case Gap::None: return true;
+      return row.relevance().value_or(0) >= specs::RuleOptions{}.relevant_from &&
+             document_.requirementsOf(row.key).empty();
+    case Gap::None:
+      return true;
   }
   return true;
 }

@@ -110,6 +110,7 @@ QWidget* CepraPage::makeSide() {
   side->setObjectName("cepraSide");
   details_ = new QTextBrowser;
   details_->setOpenLinks(false);
+  details_->document()->setDocumentMargin(10);
   details_->setAccessibleName(tr("The row in full"));
   auto* lower = new QWidget;
   auto* layout = new QVBoxLayout(lower);
@@ -120,6 +121,7 @@ QWidget* CepraPage::makeSide() {
   scale_ = new QListWidget;
   scale_->setAccessibleName(tr("Rating scale; Enter or double click scores"));
   scale_->setWordWrap(true);
+  scale_->setSpacing(2);
   scale_->setAlternatingRowColors(true);
   layout->addWidget(scale_title_);
   layout->addWidget(scale_, 1);
@@ -151,8 +153,10 @@ void CepraPage::showScale() {
   const cepra::Row& row = model_.row(cell.row());
   const auto& value = scale == &scales_->impact ? row.impact.value : row.occurrence.value;
   for (const cepra::ScaleLevel& level : scale->levels) {
-    auto* item = new QListWidgetItem(QString("%1  %2\n%3").arg(level.value).arg(
-        QString::fromStdString(level.label), QString::fromStdString(level.description)));
+    auto* item =
+        new QListWidgetItem(QString("%1  %2\n%3")
+                                .arg(level.value)
+                                .arg(QString::fromStdString(level.label), QString::fromStdString(level.description)));
     item->setData(Qt::UserRole, level.value);
     scale_->addItem(item);
     if (value == level.value) scale_->setCurrentItem(item);
@@ -200,8 +204,6 @@ void CepraPage::followLink(const QUrl& url) {
   }
 }
 
-void CepraPage::tellCount() {
-  count_->setText(tr("%1 of %2 rows").arg(filter_.rowCount()).arg(model_.rowCount()));
-}
+void CepraPage::tellCount() { count_->setText(tr("%1 of %2 rows").arg(filter_.rowCount()).arg(model_.rowCount())); }
 
 }  // namespace desktop

@@ -57,7 +57,8 @@ void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, cons
   }
 }
 
-void CellDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+void CellDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                        const QModelIndex& index) const {
   QRect place = option.rect;
   if (!CepraModel::isScore(index.column())) place.setHeight(std::max(place.height(), 96));  // room to write
   editor->setGeometry(place);
@@ -112,8 +113,9 @@ CepraView::CepraView(CepraModel& model, CepraFilter& filter, QWidget* parent)
   setHorizontalScrollMode(ScrollPerPixel);
   verticalHeader()->setDefaultSectionSize(fontMetrics().lineSpacing() * 2 + 8);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  horizontalHeader()->setObjectName("cepraHeader");
   horizontalHeader()->setSectionsMovable(true);
-  constexpr int kWidths[CepraModel::ColumnCount] = {140, 250, 140, 160, 36, 36, 44, 170, 84, 170, 84, 140};
+  constexpr int kWidths[CepraModel::ColumnCount] = {140, 240, 140, 184, 36, 36, 44, 170, 90, 170, 90, 140};
   for (int column = 0; column < CepraModel::ColumnCount; ++column) setColumnWidth(column, kWidths[column]);
   horizontalHeader()->setMinimumSectionSize(30);
 }
@@ -137,7 +139,8 @@ bool CepraView::scoreByDigit(const QKeyEvent& event) {
   const bool digit = event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9;
   if (!digit || (event.modifiers() & ~Qt::KeypadModifier)) return false;
   const QModelIndexList cells = chosen();
-  if (cells.isEmpty() || !std::ranges::all_of(cells, [](const QModelIndex& c) { return CepraModel::isScore(c.column()); })) {
+  if (cells.isEmpty() ||
+      !std::ranges::all_of(cells, [](const QModelIndex& c) { return CepraModel::isScore(c.column()); })) {
     return false;
   }
   const int score = event.key() == Qt::Key_0 ? 10 : event.key() - Qt::Key_0;

@@ -39,7 +39,9 @@ QIcon sign(const QColor& colour, bool round, const QPainterPath& path) {
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(path);
   painter.end();
-  return QIcon(pixmap);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // a selection must not tint what the colour says
+  return icon;
 }
 
 QPainterPath check() {
@@ -88,7 +90,7 @@ QColor tint(const QPalette& palette, const QColor& accent, double share) {
 }
 
 double contrast(const QColor& a, const QColor& b) {
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);
 }
 
@@ -134,18 +136,24 @@ QPalette darkPalette() {
 
 QColor colourOf(percollect::NodeKind kind) {
   switch (kind) {
-    case percollect::NodeKind::Effect: return accent::kBlue;
-    case percollect::NodeKind::DesignParameter: return accent::kTeal;
-    case percollect::NodeKind::SystemIndependent: return accent::kOrange;
+    case percollect::NodeKind::Effect:
+      return accent::kBlue;
+    case percollect::NodeKind::DesignParameter:
+      return accent::kTeal;
+    case percollect::NodeKind::SystemIndependent:
+      return accent::kOrange;
   }
   return accent::kBlue;
 }
 
 QString wordFor(percollect::NodeKind kind) {
   switch (kind) {
-    case percollect::NodeKind::Effect: return QObject::tr("Effect");
-    case percollect::NodeKind::DesignParameter: return QObject::tr("Design parameter");
-    case percollect::NodeKind::SystemIndependent: return QObject::tr("System-independent cause");
+    case percollect::NodeKind::Effect:
+      return QObject::tr("Effect");
+    case percollect::NodeKind::DesignParameter:
+      return QObject::tr("Design parameter");
+    case percollect::NodeKind::SystemIndependent:
+      return QObject::tr("System-independent cause");
   }
   return {};
 }
@@ -157,19 +165,26 @@ QColor weightColour(const QPalette& palette, int value, int largest) {
 
 QIcon iconOf(specs::Status status) {
   switch (status) {
-    case specs::Status::Accepted: return sign(accent::kTeal.darker(115), false, check());
-    case specs::Status::Rejected: return sign(accent::kPurple, false, cross());
-    case specs::Status::UnderReview: return sign(kGrey, false, eye());
+    case specs::Status::Accepted:
+      return sign(accent::kTeal.darker(115), false, check());
+    case specs::Status::Rejected:
+      return sign(accent::kPurple, false, cross());
+    case specs::Status::UnderReview:
+      return sign(kGrey, false, eye());
   }
   return {};
 }
 
 QIcon iconOf(specs::Verdict verdict) {
   switch (verdict) {
-    case specs::Verdict::Passed: return sign(accent::kTeal.darker(115), true, check());
-    case specs::Verdict::Failed: return sign(accent::kRed, true, cross());
-    case specs::Verdict::Error: return sign(accent::kPurple, true, exclamation());
-    case specs::Verdict::Skipped: return sign(kGrey, true, bar());
+    case specs::Verdict::Passed:
+      return sign(accent::kTeal.darker(115), true, check());
+    case specs::Verdict::Failed:
+      return sign(accent::kRed, true, cross());
+    case specs::Verdict::Error:
+      return sign(accent::kPurple, true, exclamation());
+    case specs::Verdict::Skipped:
+      return sign(kGrey, true, bar());
   }
   return {};
 }

@@ -10,8 +10,9 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("ErrorDialog", text); }
 
 QString part(const QString& heading, const std::string& text) {
-  return text.empty() ? QString()
-                      : QStringLiteral("<p><b>%1</b><br/>%2</p>").arg(heading, QString::fromStdString(text).toHtmlEscaped());
+  return text.empty()
+             ? QString()
+             : QStringLiteral("<p><b>%1</b><br/>%2</p>").arg(heading, QString::fromStdString(text).toHtmlEscaped());
 }
 
 }  // namespace

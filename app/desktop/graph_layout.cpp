@@ -1,7 +1,6 @@
 #include "app/desktop/graph_layout.h"
 
 #include <graphviz/gvc.h>
-
 #include <memory>
 #include <mutex>
 #include <string>
@@ -78,6 +77,9 @@ Layout layeredLayout(const LayoutTask& task) {
     set(node, "height", std::to_string(task.boxes[i].height() / kPointsPerInch));
     nodes.push_back(node);
   }
+  Agraph_t* first = agsubg(graph, text("first"), 1);
+  set(first, "rank", "min");
+  for (const std::size_t box : task.first) agsubnode(first, nodes[box], 1);
   std::vector<Agedge_t*> edges;
   for (const auto& [effect, cause] : task.lines) {
     Agedge_t* edge = agedge(graph, nodes[effect], nodes[cause], nullptr, 1);

@@ -13,6 +13,7 @@ namespace desktop {
 /// What is to be placed: boxes of known size, and lines between them as indices into the boxes.
 struct LayoutTask {
   std::vector<QSizeF> boxes;                               ///< pixels
+  std::vector<std::size_t> first;                          ///< boxes that stand at the left end
   std::vector<std::pair<std::size_t, std::size_t>> lines;  ///< effect, cause
 };
 

@@ -56,6 +56,7 @@ GraphPage::GraphPage(ProjectDocument& document, QWidget* parent)
   details_->setOpenLinks(false);
   details_->setAccessibleName(tr("Details of the selected node"));
   details_->setMinimumWidth(220);
+  details_->document()->setDocumentMargin(10);
   splitter_->setObjectName("graphSplitter");
   splitter_->addWidget(view_);
   splitter_->addWidget(details_);
@@ -82,7 +83,7 @@ GraphPage::GraphPage(ProjectDocument& document, QWidget* parent)
     }
     wanted_.reset();
     showDetails();
-    tellStatus();
+    tellCount();
   });
   connect(details_, &QTextBrowser::anchorClicked, this, &GraphPage::followLink);
   resetGraph();
@@ -174,6 +175,8 @@ QWidget* GraphPage::makeLegend() {
   }
   layout->addWidget(new QLabel(tr("Arrows: cause → effect")));
   layout->addStretch(1);
+  count_ = new QLabel;
+  layout->addWidget(count_);
   return legend;
 }
 
@@ -285,8 +288,8 @@ void GraphPage::followLink(const QUrl& url) {
   }
 }
 
-void GraphPage::tellStatus() {
-  emit statusChanged(tr("%1 of %2 nodes shown").arg(scene_->nodesShown()).arg(document_.graph().size()));
+void GraphPage::tellCount() {
+  count_->setText(tr("%1 of %2 nodes shown").arg(scene_->nodesShown()).arg(document_.graph().size()));
 }
 
 }  // namespace desktop

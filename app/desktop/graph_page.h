@@ -34,7 +34,6 @@ class GraphPage final : public QWidget {
  signals:
   void rowsRequested(const QString& node_id);
   void itemRequested(const QString& id);
-  void statusChanged(const QString& text);
 
  private:
   QWidget* makeBar();
@@ -48,7 +47,7 @@ class GraphPage final : public QWidget {
   void toggleFold(std::size_t node);
   void showDetails();
   void followLink(const QUrl& url);
-  void tellStatus();
+  void tellCount();
 
   ProjectDocument& document_;
   GraphScene* scene_;
@@ -57,6 +56,7 @@ class GraphPage final : public QWidget {
   QTextBrowser* details_;
   QLineEdit* search_;
   QLabel* hits_;
+  QLabel* count_;
   QComboBox* phenomenon_;
   QToolButton* causes_;
   QToolButton* isolate_;

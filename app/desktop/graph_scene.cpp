@@ -17,6 +17,7 @@ LayoutTask taskFor(const percollect::Graph& graph, const VisibleGraph& part) {
   for (std::size_t i = 0; i < part.nodes.size(); ++i) {
     place[part.nodes[i]] = i;
     task.boxes.push_back(NodeItem::sizeFor(graph.node(part.nodes[i])));
+    if (graph.parents(part.nodes[i]).empty()) task.first.push_back(i);
   }
   for (const percollect::Edge& edge : part.edges) task.lines.emplace_back(place[edge.parent], place[edge.child]);
   return task;

@@ -17,9 +17,7 @@ QString section(const QString& text, const QPalette& palette) {
       .arg(desktop::muted(palette).name(), text.toHtmlEscaped());
 }
 
-QString paragraph(const QString& markup) {
-  return QStringLiteral("<p style='margin:2px 0 4px 0'>%1</p>").arg(markup);
-}
+QString paragraph(const QString& markup) { return QStringLiteral("<p style='margin:2px 0 4px 0'>%1</p>").arg(markup); }
 
 QString muted(const QString& markup, const QPalette& palette) {
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(desktop::muted(palette).name(), markup);

@@ -88,6 +88,9 @@ void ItemForm::showItem(const std::string& id) {
     refresh();
   }
   form->addRow(message_);
+  auto* rest = new QWidget;  // takes the height that is left, so that the fields stay together
+  rest->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  form->addRow(rest);
   setWidget(page);
 }
 

@@ -7,7 +7,8 @@ namespace desktop {
 
 namespace {
 
-QString line(const ProjectDocument& document, const specs::Link& link, const std::string& other, const QPalette& palette) {
+QString line(const ProjectDocument& document, const specs::Link& link, const std::string& other,
+             const QPalette& palette) {
   const specs::Entry* entry = document.links().find(other);
   if (!entry) return {};
   const QString id = QString::fromStdString(other);

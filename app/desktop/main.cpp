@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/desktop/colours.h"
+#include "app/desktop/error_dialog.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/screenshots.h"
 #include "core/error.h"
@@ -25,21 +26,35 @@ void drawWithoutScreenIfAsked(int argc, char** argv) {
 }
 
 std::unique_ptr<QSettings> settingsFor(const QString& file) {
-  if (file.isEmpty()) return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "Fidelis", "fidelis-desktop");
+  if (file.isEmpty())
+    return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "Fidelis", "fidelis-desktop");
   return std::make_unique<QSettings>(file, QSettings::IniFormat);
 }
+
+/// No exception may pass through Qt's event loop: what a user can repair is shown, and the window stays.
+class Application final : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    bool handled = true;
+    desktop::guarded(activeWindow(), [&] { handled = QApplication::notify(receiver, event); });
+    return handled;
+  }
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   drawWithoutScreenIfAsked(argc, argv);
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   QApplication::setApplicationName("Fidelis");
   QApplication::setApplicationVersion(QString::fromStdString(std::string(core::kVersion)));
   QApplication::setStyle("Fusion");
 
   QCommandLineParser parser;
-  parser.setApplicationDescription("Shows and edits a Fidelis project: graph, relevance table, specification, results.");
+  parser.setApplicationDescription(
+      "Shows and edits a Fidelis project: graph, relevance table, specification, results.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("project", "Project file to open", "[PROJECT]");
@@ -57,7 +72,8 @@ int main(int argc, char** argv) {
   try {
     desktop::MainWindow window(*settings);
     if (pictures) {
-      if (files.isEmpty()) throw core::InputError({.item = "--screenshot"}, "no project is named.", "Name a project file.");
+      if (files.isEmpty())
+        throw core::InputError({.item = "--screenshot"}, "no project is named.", "Name a project file.");
       window.document().open(files.first().toStdString());
       desktop::renderTabs(window, parser.value(screenshot_option).toStdString());
       return 0;

@@ -2,7 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QFileInfo>
+#include <QHeaderView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
@@ -59,7 +59,6 @@ void MainWindow::makeTabs() {
 }
 
 void MainWindow::connectPages() {
-  connect(graph_, &GraphPage::statusChanged, this, [this](const QString& text) { statusBar()->showMessage(text); });
   connect(graph_, &GraphPage::rowsRequested, this, [this](const QString& node) {
     showTab(Relevance);
     cepra_->showRowsOf(node);
@@ -144,6 +143,7 @@ void MainWindow::saveLayout() {
   for (QSplitter* splitter : findChildren<QSplitter*>()) {
     if (!splitter->objectName().isEmpty()) settings_.setValue(splitter->objectName(), splitter->saveState());
   }
+  settings_.setValue(cepra_->header().objectName(), cepra_->header().saveState());
 }
 
 void MainWindow::restoreLayout() {
@@ -152,6 +152,7 @@ void MainWindow::restoreLayout() {
   for (QSplitter* splitter : findChildren<QSplitter*>()) {
     splitter->restoreState(settings_.value(splitter->objectName()).toByteArray());
   }
+  cepra_->header().restoreState(settings_.value(cepra_->header().objectName()).toByteArray());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

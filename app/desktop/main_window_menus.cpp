@@ -140,12 +140,12 @@ void MainWindow::askAndCreate() {
 
 void MainWindow::askAndExport(std::size_t index) {
   const specs::DocumentFormat& format = specs::documentFormats()[index];
-  const QString target = format.is_folder
-                             ? QFileDialog::getExistingDirectory(this, tr("Folder to write to"))
-                             : QFileDialog::getSaveFileName(this, tr("File to write"),
-                                                            QString::fromStdString(document_.specification().project) +
-                                                                "." + QString::fromUtf8(format.name.data(),
-                                                                                        qsizetype(format.name.size())));
+  const QString target =
+      format.is_folder
+          ? QFileDialog::getExistingDirectory(this, tr("Folder to write to"))
+          : QFileDialog::getSaveFileName(this, tr("File to write"),
+                                         QString::fromStdString(document_.specification().project) + "." +
+                                             QString::fromUtf8(format.name.data(), qsizetype(format.name.size())));
   if (target.isEmpty()) return;
   guarded(this, [&] { format.write(document_.specification(), target.toStdString()); });
 }

@@ -64,16 +64,17 @@ QString nodeDetails(const ProjectDocument& document, std::size_t index, const QP
   const percollect::Node& node = graph.node(index);
   const QString id = QString::fromStdString(node.id);
   QString page = html::heading(QString::fromStdString(node.title));
-  page += html::paragraph(html::muted(wordFor(node.kind) + " · " + html::text(node.block) + " · id " + id.toHtmlEscaped(),
-                                      palette));
+  page += html::paragraph(
+      html::muted(wordFor(node.kind) + " · " + html::text(node.block) + " · id " + id.toHtmlEscaped(), palette));
   if (!node.description.empty()) page += html::paragraph(html::text(node.description));
 
   const auto rows = document.rowsWithNode(node.id);
   page += html::section(QObject::tr("Chains"), palette);
   page += html::paragraph(QObject::tr("%1 from a phenomenon to a last cause run through this node.")
                               .arg(countText(percollect::countChains(graph, {.through = index}))));
-  page += rows.empty() ? html::paragraph(QObject::tr("No CEPRA row has it."))
-                       : html::paragraph(html::link("rows:" + id, QObject::tr("%n CEPRA row(s)", "", int(rows.size()))));
+  page += rows.empty()
+              ? html::paragraph(QObject::tr("No CEPRA row has it."))
+              : html::paragraph(html::link("rows:" + id, QObject::tr("%n CEPRA row(s)", "", int(rows.size()))));
   if (const QString bound = boundTexts(document, rows); !bound.isEmpty()) {
     page += html::section(QObject::tr("Requirements and the effects they bind"), palette) + bound;
   }
@@ -114,19 +115,21 @@ QString graphDetails(const ProjectDocument& document, const QPalette& palette) {
                               .arg(counts.system_independent));
   page += html::section(QObject::tr("Phenomena"), palette);
   for (const std::size_t phenomenon : graph.phenomena()) {
-    page += html::paragraph(nodeLink(graph.node(phenomenon)) + " " +
-                            html::muted(QObject::tr("%1 chains").arg(countText(
-                                            percollect::countChains(graph, {.phenomenon = phenomenon}))),
-                                        palette));
+    page += html::paragraph(
+        nodeLink(graph.node(phenomenon)) + " " +
+        html::muted(QObject::tr("%1 chains").arg(countText(percollect::countChains(graph, {.phenomenon = phenomenon}))),
+                    palette));
   }
   if (const auto& import = document.specification().graph) {
     page += html::section(QObject::tr("Imported"), palette);
-    page += html::paragraph(html::text(import->when + " " + import->who) + "<br/>" +
-                            html::muted(html::text(std::filesystem::path(import->source).filename().string()), palette));
+    page +=
+        html::paragraph(html::text(import->when + " " + import->who) + "<br/>" +
+                        html::muted(html::text(std::filesystem::path(import->source).filename().string()), palette));
   }
   page += html::section(QObject::tr("How to read it"), palette);
-  page += html::paragraph(QObject::tr("Arrows lead from a cause to what it causes. Click a node to see all chains through "
-                                      "it; the button at its right end folds and unfolds its causes."));
+  page +=
+      html::paragraph(QObject::tr("Arrows lead from a cause to what it causes. Click a node to see all chains through "
+                                  "it; the button at its right end folds and unfolds its causes."));
   return page;
 }
 

@@ -11,7 +11,9 @@ namespace desktop {
 
 namespace {
 
-QString shown(specs::Kind kind) { return QString::fromUtf8(specs::name(kind).data(), qsizetype(specs::name(kind).size())); }
+QString shown(specs::Kind kind) {
+  return QString::fromUtf8(specs::name(kind).data(), qsizetype(specs::name(kind).size()));
+}
 
 bool sameEnds(const specs::Link& a, const specs::Link& b) { return a.from == b.from && a.to == b.to; }
 
@@ -107,8 +109,9 @@ void ProjectDocument::editField(const std::string& id, const std::string& field,
   const std::string& new_id = base(after).id;
   if (new_id != id) {
     if (!specs::isShownId(new_id) || links_.find(new_id)) {
-      throw core::InputError(place(id), "'" + new_id + "' cannot be its id.",
-                             "Ids are unique and look like RangeError_Fog_2: parts that begin with a capital, then a number.");
+      throw core::InputError(
+          place(id), "'" + new_id + "' cannot be its id.",
+          "Ids are unique and look like RangeError_Fog_2: parts that begin with a capital, then a number.");
     }
     for (const specs::Link& link : specification_.links) {
       if (link.from != id && link.to != id) continue;
@@ -116,9 +119,9 @@ void ProjectDocument::editField(const std::string& id, const std::string& field,
       change.linked.push_back({link.from == id ? new_id : link.from, link.to == id ? new_id : link.to, link.suspect});
     }
   }
-  undo_stack_.push(new EditSpecification(*this, std::move(change),
-                                         tr("edit %1 of %2").arg(QString::fromStdString(field), QString::fromStdString(id)),
-                                         new_id == id ? field : ""));
+  undo_stack_.push(new EditSpecification(
+      *this, std::move(change), tr("edit %1 of %2").arg(QString::fromStdString(field), QString::fromStdString(id)),
+      new_id == id ? field : ""));
 }
 
 void ProjectDocument::addItem(AnyItem item, const std::vector<std::string>& origins,
@@ -150,8 +153,8 @@ void ProjectDocument::setLinked(const std::string& from, const std::string& to, 
   const auto found = std::ranges::find_if(links, [&](const specs::Link& link) { return sameEnds(link, {from, to}); });
   if (linked == (found != links.end())) return;
   if (!linked) {
-    undo_stack_.push(new EditSpecification(*this, {.unlinked = {*found}},
-                                           tr("unlink %1").arg(QString::fromStdString(to))));
+    undo_stack_.push(
+        new EditSpecification(*this, {.unlinked = {*found}}, tr("unlink %1").arg(QString::fromStdString(to))));
     return;
   }
   const specs::Entry* origin = links_.find(from);
@@ -166,7 +169,8 @@ void ProjectDocument::setLinked(const std::string& from, const std::string& to, 
     throw core::InputError(place(from + " -> " + to), "the link would close a circle.",
                            from + " follows from " + to + " already; remove a link of that way first.");
   }
-  undo_stack_.push(new EditSpecification(*this, {.linked = {{from, to}}}, tr("link %1").arg(QString::fromStdString(to))));
+  undo_stack_.push(
+      new EditSpecification(*this, {.linked = {{from, to}}}, tr("link %1").arg(QString::fromStdString(to))));
 }
 
 void ProjectDocument::markReviewed(const std::string& from, const std::string& to) {
@@ -223,8 +227,8 @@ void ProjectDocument::apply(const SpecificationChange& change) {
   auto& links = specification_.links;
   for (const specs::Link& link : change.linked) links.insert(std::ranges::upper_bound(links, link), link);
   links_ = specs::LinkIndex(specification_);
-  const bool edited = change.removed.size() == 1 && change.added.size() == 1 &&
-                      base(change.removed[0]).id == base(change.added[0]).id;
+  const bool edited =
+      change.removed.size() == 1 && change.added.size() == 1 && base(change.removed[0]).id == base(change.added[0]).id;
   if (edited) {
     emit itemEdited(QString::fromStdString(base(change.added[0]).id));
   } else {

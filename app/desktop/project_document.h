@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/desktop/undo_commands.h"
+#include "core/error.h"
 #include "percollect/graph.h"
 #include "specs/project_store.h"
-#include "core/error.h"
 #include "specs/trace.h"
 
 namespace desktop {
@@ -79,10 +79,10 @@ class ProjectDocument final : public QObject {
   void apply(const SpecificationChange& change);
 
  signals:
-  void reset();                              ///< everything is new
+  void reset();  ///< everything is new
   void rowsChanged(const std::vector<std::size_t>& rows);
-  void itemEdited(const QString& id);        ///< a field of one item, its id the same as before
-  void specificationChanged();               ///< items or links came or went
+  void itemEdited(const QString& id);  ///< a field of one item, its id the same as before
+  void specificationChanged();         ///< items or links came or went
   void verdictsChanged();
   void modifiedChanged(bool modified);
 

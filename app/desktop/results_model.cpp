@@ -44,11 +44,16 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   }
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   switch (index.column()) {
-    case Title: return QString::fromStdString(test.title);
-    case Verdict: return ran ? wordFor(found->second.verdict) : tr("not run");
-    case Why: return ran ? QString::fromStdString(found->second.text) : QString();
-    case Id: return QString::fromStdString(test.id);
-    default: return {};
+    case Title:
+      return QString::fromStdString(test.title);
+    case Verdict:
+      return ran ? wordFor(found->second.verdict) : tr("not run");
+    case Why:
+      return ran ? QString::fromStdString(found->second.text) : QString();
+    case Id:
+      return QString::fromStdString(test.id);
+    default:
+      return {};
   }
 }
 

@@ -6,7 +6,6 @@
 #include <QSplitter>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <set>
 
 #include "acceptance/html_report.h"
 #include "acceptance/run.h"
@@ -43,7 +42,7 @@ ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, 
   tests_->setWordWrap(true);
   tests_->verticalHeader()->hide();
   tests_->verticalHeader()->setDefaultSectionSize(tests_->fontMetrics().lineSpacing() * 2 + 8);
-  constexpr int kWidths[] = {230, 90, 230};
+  constexpr int kWidths[] = {200, 90, 240};
   for (int column = 0; column < 3; ++column) tests_->setColumnWidth(column, kWidths[column]);
   tests_->horizontalHeader()->setStretchLastSection(true);
   auto* splitter = new QSplitter;
@@ -132,7 +131,7 @@ QWidget* ResultsPage::makeSide() {
   plot_->setAccessibleName(tr("Distributions of measurement and simulation"));
   side->addWidget(upper);
   side->addWidget(plot_);
-  side->setSizes({290, 480});
+  side->setSizes({220, 560});
   return side;
 }
 
@@ -156,11 +155,16 @@ void ResultsPage::run(const std::vector<std::string>& tests) {
   runner_.start(document_.file(), tests);
 }
 
+std::filesystem::path ResultsPage::writeReport(const acceptance::RunResult& result) {
+  const std::filesystem::path report = document_.folder() / "reports" / reportName(started_at_);
+  std::error_code ignored;
+  std::filesystem::create_directories(report.parent_path(), ignored);  // writing says what is wrong
+  const bool written = guarded(this, [&] { core::writeFile(report, acceptance::htmlReport(result)); });
+  return written ? report : std::filesystem::path();
+}
+
 void ResultsPage::store(const acceptance::RunResult& result) {
-  std::filesystem::path report = document_.folder() / "reports" / reportName(started_at_);
-  std::filesystem::create_directories(report.parent_path());
-  core::writeFile(report, acceptance::htmlReport(result));
-  acceptance::storeRun(document_.store(), result, {.started_at = started_at_, .report = report});
+  acceptance::storeRun(document_.store(), result, {.started_at = started_at_, .report = writeReport(result)});
   doing_->setText(tr("%1 passed, %2 failed, %3 undecided, %4 skipped")
                       .arg(result.count(specs::Verdict::Passed))
                       .arg(result.count(specs::Verdict::Failed))
@@ -215,7 +219,7 @@ void ResultsPage::fillNumbers() {
     numbers_->item(row, 1)->setData(Qt::AccessibleTextRole, numbers_->item(row, 1)->text() + ", " + wordFor(verdict));
   }
   for (const int column : {0, 2, 3, 4}) numbers_->resizeColumnToContents(column);
-  if (numbers_->rowCount() > 0) numbers_->setCurrentCell(0, 0);
+  if (numbers_->rowCount() > 0) numbers_->setCurrentCell(int(shown_.decisive()), 0);  // the plot begins there
 }
 
 void ResultsPage::showPlot() {
@@ -225,6 +229,8 @@ void ResultsPage::showPlot() {
                 currentTest().empty() ? tr("Choose a test.") : tr("No plot: this test has no evaluated sample."));
 }
 
-void ResultsPage::openReport() { QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string()))); }
+void ResultsPage::openReport() {
+  QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(report_.string())));
+}
 
 }  // namespace desktop

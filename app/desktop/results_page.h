@@ -37,6 +37,8 @@ class ResultsPage final : public QWidget {
   QWidget* makeSide();
   void run(const std::vector<std::string>& tests);
   void store(const acceptance::RunResult& result);
+  /// The report's file, or nothing after an error was shown: a verdict counts without its report too.
+  [[nodiscard]] std::filesystem::path writeReport(const acceptance::RunResult& result);
   void showBusy(bool busy);
   void showResult();
   void fillNumbers();

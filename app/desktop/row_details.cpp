@@ -18,7 +18,8 @@ QString causeList(const std::vector<cepra::Cause>& causes, const QString& title,
   if (causes.empty()) return {};
   QString list = html::section(title, palette);
   for (const cepra::Cause& cause : causes) {
-    list += html::paragraph(html::link("node:" + QString::fromStdString(cause.id), QString::fromStdString(cause.title)));
+    list +=
+        html::paragraph(html::link("node:" + QString::fromStdString(cause.id), QString::fromStdString(cause.title)));
   }
   return list;
 }
@@ -33,8 +34,8 @@ QString rowDetails(const ProjectDocument& document, const cepra::Row& row, const
   page += html::section(QObject::tr("Path, from the phenomenon to its cause"), palette);
   QString indent;
   for (const cepra::Effect& effect : row.effects) {
-    page += html::paragraph(indent + html::link("node:" + QString::fromStdString(effect.id),
-                                                QString::fromStdString(effect.title)));
+    page += html::paragraph(
+        indent + html::link("node:" + QString::fromStdString(effect.id), QString::fromStdString(effect.title)));
     indent = indent.isEmpty() ? QString::fromUtf8("↳ ") : "&nbsp;&nbsp;" + indent;
   }
   page += causeList(row.causesOfKind(percollect::NodeKind::DesignParameter), QObject::tr("Design parameters"), palette);

@@ -1,5 +1,7 @@
 #include "app/desktop/shown_result.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
@@ -15,6 +17,14 @@ std::string number(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_number() ? core::significant(found->get<double>(), kDigits) : "";
 }
 
+double room(const nlohmann::json& relation) {
+  const auto value = [&](const char* key) {
+    const auto found = relation.find(key);
+    return found != relation.end() && found->is_number() ? found->get<double>() : -1.0;
+  };
+  return value("margin") / std::max(std::abs(value("limit")), 1e-12);
+}
+
 std::string word(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -27,12 +37,14 @@ void readSample(const nlohmann::json& json, ShownResult& result) {
                             .text = word(json, "text"),
                             .figure = word(json, "figure")});
   for (const auto& relation : json.value("relations", nlohmann::json::array())) {
-    result.relations.push_back({.sample = index,
-                                .text = word(relation, "left") + " " + word(relation, "order") + " " + word(relation, "right"),
-                                .value = number(relation, "value"),
-                                .limit = number(relation, "limit"),
-                                .margin = number(relation, "margin"),
-                                .holds = relation.value("holds", false)});
+    result.relations.push_back(
+        {.sample = index,
+         .text = word(relation, "left") + " " + word(relation, "order") + " " + word(relation, "right"),
+         .value = number(relation, "value"),
+         .limit = number(relation, "limit"),
+         .margin = number(relation, "margin"),
+         .holds = relation.value("holds", false),
+         .room = room(relation)});
   }
 }
 
@@ -50,6 +62,11 @@ ShownResult plainResult(const specs::TestVerdict& verdict) {
 }
 
 }  // namespace
+
+std::size_t ShownResult::decisive() const {
+  const auto least = std::ranges::min_element(relations, {}, &ShownRelation::room);
+  return least == relations.end() ? 0 : std::size_t(least - relations.begin());
+}
 
 ShownResult shownResult(const specs::TestVerdict& verdict) {
   const auto json = nlohmann::json::parse(verdict.evaluation, nullptr, false);

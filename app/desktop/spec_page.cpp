@@ -25,8 +25,11 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Specification"));
   tree_->setUniformRowHeights(true);
+  tree_->setIconSize({18, 18});
+  tree_->setStyleSheet("QTreeView::item { padding: 3px 0 }");
   tree_->setAlternatingRowColors(true);
   links_->setOpenLinks(false);
+  links_->document()->setDocumentMargin(10);
   links_->setAccessibleName(tr("Links of the selected item"));
   auto* side = new QSplitter(Qt::Vertical);
   side->setObjectName("specSide");
@@ -37,7 +40,7 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
   splitter->setObjectName("specSplitter");
   splitter->addWidget(tree_);
   splitter->addWidget(side);
-  splitter->setSizes({820, 600});
+  splitter->setSizes({900, 540});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -46,7 +49,8 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
 
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SpecPage::showCurrent);
   connect(links_, &QTextBrowser::anchorClicked, this, &SpecPage::followLink);
-  for (const auto change : {&ProjectDocument::reset, &ProjectDocument::specificationChanged, &ProjectDocument::verdictsChanged}) {
+  for (const auto change :
+       {&ProjectDocument::reset, &ProjectDocument::specificationChanged, &ProjectDocument::verdictsChanged}) {
     connect(&document_, change, this, &SpecPage::rebuild);
   }
   connect(&document_, &ProjectDocument::itemEdited, this, [this](const QString& id) {
@@ -100,10 +104,11 @@ void SpecPage::rebuild() {
   model_.rebuild();
   tree_->expandAll();
   tree_->header()->setStretchLastSection(true);
-  constexpr int kWidths[] = {430, 125, 115};
-  for (int column = 0; column < 3; ++column) tree_->setColumnWidth(column, kWidths[column]);
+  constexpr int kWidths[] = {330, 110, 120, 100};
+  for (int column = 0; column < 4; ++column) tree_->setColumnWidth(column, kWidths[column]);
   QModelIndex at = model_.indexOf(before);
-  for (int group = 0; !at.isValid() && group < model_.rowCount(); ++group) at = model_.index(0, 0, model_.index(group, 0));
+  for (int group = 0; !at.isValid() && group < model_.rowCount(); ++group)
+    at = model_.index(0, 0, model_.index(group, 0));
   tree_->setCurrentIndex(at);
   showCurrent();
   filter(search_->text());
@@ -162,8 +167,8 @@ void SpecPage::linkTo() {
     choices << QString::fromStdString(base(item).id + "  " + base(item).title);
   }
   bool chosen = false;
-  const QString choice = QInputDialog::getItem(this, tr("Link"), tr("What follows from %1?").arg(QString::fromStdString(from)),
-                                               choices, 0, true, &chosen);
+  const QString choice = QInputDialog::getItem(
+      this, tr("Link"), tr("What follows from %1?").arg(QString::fromStdString(from)), choices, 0, true, &chosen);
   if (chosen) guarded(this, [&] { document_.setLinked(from, choice.section(' ', 0, 0).toStdString(), true); });
 }
 

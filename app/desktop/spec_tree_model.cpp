@@ -12,12 +12,29 @@ namespace {
 /// How much a verdict asks for attention: what a requirement shows of its tests.
 int gravity(specs::Verdict verdict) {
   switch (verdict) {
-    case specs::Verdict::Failed: return 3;
-    case specs::Verdict::Error: return 2;
-    case specs::Verdict::Skipped: return 1;
-    case specs::Verdict::Passed: return 0;
+    case specs::Verdict::Failed:
+      return 3;
+    case specs::Verdict::Error:
+      return 2;
+    case specs::Verdict::Skipped:
+      return 1;
+    case specs::Verdict::Passed:
+      return 0;
   }
   return 0;
+}
+
+QString shortWord(specs::Kind kind) {
+  switch (kind) {
+    case specs::Kind::AcceptanceTest:
+      return QObject::tr("test");
+    case specs::Kind::ExperimentData:
+      return QObject::tr("experiment");
+    case specs::Kind::ReferenceData:
+      return QObject::tr("reference");
+    default:
+      return QObject::tr("requirement");
+  }
 }
 
 QString word(specs::Kind kind) {
@@ -44,7 +61,7 @@ std::string SpecTreeModel::idOf(const QModelIndex& index) {
 
 void SpecTreeModel::rebuild() {
   clear();
-  setHorizontalHeaderLabels({tr("Title"), tr("Status"), tr("Last verdict"), tr("Id")});
+  setHorizontalHeaderLabels({tr("Title"), tr("Kind"), tr("Status"), tr("Last verdict"), tr("Id")});
   const specs::Specification& all = document_.specification();
   for (const auto& [level, title] : {std::pair(specs::Level::General, tr("General requirements")),
                                      std::pair(specs::Level::ObjectModel, tr("Object-model requirements")),
@@ -103,6 +120,7 @@ void SpecTreeModel::fill(const QList<QStandardItem*>& cells, const std::string& 
   cells[Title]->setText(title);
   cells[Title]->setToolTip(word(kindOf(*item)) + ": " + title);
   cells[Title]->setData(word(kindOf(*item)) + ", " + title, Qt::AccessibleTextRole);
+  cells[What]->setText(shortWord(kindOf(*item)));
   cells[Status]->setText(wordFor(content.status));
   cells[Status]->setIcon(iconOf(content.status));
   const auto verdict = verdictOf(id);
@@ -126,8 +144,7 @@ std::optional<specs::Verdict> SpecTreeModel::verdictOf(const std::string& id) co
 }
 
 void SpecTreeModel::refresh(const std::string& id) {
-  const auto places =
-      match(index(0, 0), IdRole, QString::fromStdString(id), -1, Qt::MatchExactly | Qt::MatchRecursive);
+  const auto places = match(index(0, 0), IdRole, QString::fromStdString(id), -1, Qt::MatchExactly | Qt::MatchRecursive);
   for (const QModelIndex& place : places) {
     QList<QStandardItem*> cells;
     for (int column = 0; column < ColumnCount; ++column) cells << itemFromIndex(place.siblingAtColumn(column));

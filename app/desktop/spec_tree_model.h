@@ -17,7 +17,7 @@ class SpecTreeModel final : public QStandardItemModel {
   Q_OBJECT
 
  public:
-  enum Column { Title, Status, LastVerdict, Id, ColumnCount };
+  enum Column { Title, What, Status, LastVerdict, Id, ColumnCount };
   enum Role { IdRole = Qt::UserRole + 1 };
 
   explicit SpecTreeModel(ProjectDocument& document, QObject* parent = nullptr);

@@ -14,8 +14,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   large.setPointSizeF(large.pointSizeF() * 2.2);
   large.setBold(true);
   title->setFont(large);
-  auto* what = new QLabel(tr("From a cause-effect graph to an accepted or rejected lidar simulation.\n"
-                             "Open a project file, or drop one here."));
+  auto* what =
+      new QLabel(tr("From a cause-effect graph to an accepted or rejected lidar simulation.\n"
+                    "Open a project file, or drop one here."));
   auto* open = new QPushButton(tr("&Open project…"));
   open->setDefault(true);
   auto* fresh = new QPushButton(tr("&New project from a graph…"));

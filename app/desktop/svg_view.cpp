@@ -23,7 +23,8 @@ void SvgView::paintEvent(QPaintEvent*) {
     return;
   }
   constexpr int kMargin = 8;
-  const QSizeF size = QSizeF(renderer_.defaultSize()).scaled(this->size() - QSize(2 * kMargin, 2 * kMargin), Qt::KeepAspectRatio);
+  const QSizeF size =
+      QSizeF(renderer_.defaultSize()).scaled(this->size() - QSize(2 * kMargin, 2 * kMargin), Qt::KeepAspectRatio);
   const QRectF sheet(QPointF((width() - size.width()) / 2, kMargin), size);
   painter.fillRect(sheet.adjusted(-4, -4, 4, 4), Qt::white);
   renderer_.render(&painter, sheet);

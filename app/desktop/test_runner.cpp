@@ -63,7 +63,8 @@ void TestRunner::start(const std::filesystem::path& project, const std::vector<s
   stop_ = std::make_shared<std::atomic<bool>>(false);
   auto outcome = std::make_shared<Outcome>();
   const auto tell = [this](double fraction, const QString& doing) {
-    QMetaObject::invokeMethod(this, [this, fraction, doing] { emit progressed(fraction, doing); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, fraction, doing] { emit progressed(fraction, doing); }, Qt::QueuedConnection);
   };
   thread_.reset(QThread::create([project, tests, outcome, tell, stop = stop_] {
     WindowProgress progress(stop, tell);
@@ -74,6 +75,9 @@ void TestRunner::start(const std::filesystem::path& project, const std::vector<s
       outcome->error = error;
     } catch (const core::Cancelled&) {
       // Nothing is left behind; the window says so.
+    } catch (const std::exception& error) {  // no exception may leave the thread
+      outcome->error.emplace(core::Place{.file = project}, std::string("internal error: ") + error.what(),
+                             "Nothing was stored. Please report it, with the project if you may.");
     }
   }));
   connect(thread_.get(), &QThread::finished, this, [this, outcome] {

@@ -23,7 +23,8 @@ int EditSpecification::id() const { return field_.empty() ? -1 : 1; }
 
 bool EditSpecification::mergeWith(const QUndoCommand* next) {
   const auto* other = dynamic_cast<const EditSpecification*>(next);
-  if (!other || other->field_ != field_ || change_.added.size() != 1 || other->change_.removed.size() != 1) return false;
+  if (!other || other->field_ != field_ || change_.added.size() != 1 || other->change_.removed.size() != 1)
+    return false;
   if (base(change_.added[0]).uid != base(other->change_.removed[0]).uid) return false;
   change_.added = other->change_.added;
   if (change_.added == change_.removed) setObsolete(true);  // typed back to where it began

@@ -11,11 +11,11 @@ namespace desktop {
 
 /// What a person chose to see of a graph.
 struct GraphFilter {
-  std::set<std::size_t> phenomena;           ///< chains begin here; empty: at all phenomena
-  bool causes = true;                        ///< false: effects only
-  std::set<std::size_t> folded;              ///< nothing is shown for the sake of these nodes
-  std::set<std::size_t> revealed;            ///< shown although `causes` is off (found by search)
-  std::optional<std::size_t> only_through;   ///< only chains that contain this node
+  std::set<std::size_t> phenomena;          ///< chains begin here; empty: at all phenomena
+  bool causes = true;                       ///< false: effects only
+  std::set<std::size_t> folded;             ///< nothing is shown for the sake of these nodes
+  std::set<std::size_t> revealed;           ///< shown although `causes` is off (found by search)
+  std::optional<std::size_t> only_through;  ///< only chains that contain this node
 };
 
 /// The part of a graph that is drawn.

@@ -1,16 +1,19 @@
 // Drives the real window on a real project file in a temporary folder. Runs under any platform plug-in: Xvfb (CTest
 // does that) or QT_QPA_PLATFORM=offscreen. Pictures of every tab stay in build/screenshots.
-#include <gtest/gtest.h>
-
+#include <QAbstractItemModelTester>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTest>
+#include <QTimer>
+#include <gtest/gtest.h>
 
 #include "app/desktop/cepra_page.h"
 #include "app/desktop/colours.h"
@@ -24,6 +27,7 @@
 #include "specs/import_graph.h"
 #include "specs/lists.h"
 #include "tests/support/paths.h"
+#include "tests/support/program.h"
 
 namespace {
 
@@ -46,7 +50,8 @@ class Desktop : public testing::Test {
       specs::importGraph(store, percollect::readGraph(demo / "lidar-excerpt.json").graph, kEve);
       specs::applyLists(store, specs::readLists(demo / "specification", store.specification()), false, kEve);
     }
-    settings_ = std::make_unique<QSettings>(QString::fromStdString((folder_ / "settings.ini").string()), QSettings::IniFormat);
+    settings_ =
+        std::make_unique<QSettings>(QString::fromStdString((folder_ / "settings.ini").string()), QSettings::IniFormat);
     openWindow();
   }
 
@@ -80,7 +85,9 @@ TEST_F(Desktop, SearchInTheGraphCountsItsHitsAndDimsTheRest) {
   QTest::keyClicks(child<QLineEdit>("graphSearch"), "noise");
   std::size_t expected = 0;
   for (const percollect::Node& node : graph().nodes()) {
-    const auto holds = [](const std::string& text) { return QString::fromStdString(text).contains("noise", Qt::CaseInsensitive); };
+    const auto holds = [](const std::string& text) {
+      return QString::fromStdString(text).contains("noise", Qt::CaseInsensitive);
+    };
     expected += holds(node.title) || std::ranges::any_of(node.tags, holds);
   }
   ASSERT_GT(expected, 0u);
@@ -241,6 +248,83 @@ TEST_F(Desktop, ACancelledRunStoresNothing) {
   results.cancel();
   ASSERT_TRUE(cancelled.wait(120'000));
   EXPECT_TRUE(saved().latestRuns().empty());
+}
+
+TEST_F(Desktop, AFileThatIsNoProjectIsRefusedAndTheOldProjectStays) {
+  const auto broken = folder_.write("broken.fidelis", "this is no database");
+  QString shown;
+  QTimer::singleShot(200, [&shown] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      shown = box->text() + box->informativeText();
+      box->accept();
+    }
+  });
+  EXPECT_FALSE(window_->openProject(broken));
+  EXPECT_TRUE(shown.contains("Where")) << shown.toStdString();
+  EXPECT_TRUE(shown.contains("broken.fidelis"));
+  EXPECT_TRUE(shown.contains("What to do"));
+  EXPECT_EQ(window_->document().file(), file());
+}
+
+TEST_F(Desktop, WindowLayoutIsKeptInTheSettings) {
+  window_->cepraPage().header().resizeSection(CepraModel::Notes, 234);
+  window_->close();
+  window_.reset();
+  openWindow();
+  EXPECT_EQ(window_->cepraPage().header().sectionSize(CepraModel::Notes), 234);
+}
+
+TEST_F(Desktop, ClosingWithUnsavedChangesAsksAndCancelKeepsTheWindow) {
+  auto& model = window_->cepraPage().model();
+  ASSERT_TRUE(model.setData(model.index(0, CepraModel::Notes), "unsaved"));
+  QTimer::singleShot(200, [] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      box->button(QMessageBox::Cancel)->click();
+    }
+  });
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+  window_->document().undoStack().undo();
+}
+
+TEST_F(Desktop, EveryEntryFieldAndViewHasAnAccessibleName) {
+  for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+    const bool speaks = qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+                        qobject_cast<const QComboBox*>(widget) || qobject_cast<const QTableView*>(widget) ||
+                        qobject_cast<const QTreeView*>(widget) || qobject_cast<const QTextBrowser*>(widget);
+    if (!speaks || widget->parent()->inherits("QComboBox") || widget->parent()->inherits("QComboBoxPrivateContainer"))
+      continue;
+    EXPECT_FALSE(widget->accessibleName().isEmpty())
+        << widget->metaObject()->className() << " '" << widget->objectName().toStdString() << "'";
+  }
+}
+
+TEST_F(Desktop, TheModelsKeepTheRulesOfQt) {
+  const auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+  const QAbstractItemModelTester table(&window_->cepraPage().model(), fatal);
+  const QAbstractItemModelTester tree(window_->specPage().tree().model(), fatal);
+  const QAbstractItemModelTester tests(window_->resultsPage().tests().model(), fatal);
+  auto& model = window_->cepraPage().model();
+  EXPECT_TRUE(model.setData(model.index(0, CepraModel::Impact), "4"));
+  window_->document().removeItem(window_->document().specification().tests[0].id);
+  window_->document().undoStack().undo();
+  window_->document().undoStack().undo();
+  window_->document().reload();
+}
+
+// The program itself, without a screen.
+TEST_F(Desktop, TheProgramTakesPicturesAndRefusesWhatIsNoProject) {
+  const std::string settings = (folder_ / "s.ini").string();
+  const auto good =
+      test_support::runProgram("fidelis-desktop", {file().string(), "--settings", settings, "-platform", "offscreen",
+                                                   "--screenshot", (folder_ / "shots").string()});
+  EXPECT_EQ(good.status, 0) << good.messages;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "shots" / "graph.png"));
+  const auto bad = test_support::runProgram(
+      "fidelis-desktop", {(folder_ / "no.fidelis").string(), "--settings", settings, "-platform", "offscreen",
+                          "--screenshot", (folder_ / "shots").string()});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.messages.find("no.fidelis"), std::string::npos) << bad.messages;
 }
 
 TEST_F(Desktop, TheProjectIsRememberedAmongTheRecentFiles) {

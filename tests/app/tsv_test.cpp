@@ -13,9 +13,7 @@ TEST(Tsv, BlocksComeBackAsTheyWere) {
   EXPECT_EQ(fromTsv(toTsv(block)), block);
 }
 
-TEST(Tsv, AnEmptyLineIsARowWithOneEmptyCell) {
-  EXPECT_EQ(fromTsv("3\n\n5\n"), (CellBlock{{"3"}, {""}, {"5"}}));
-}
+TEST(Tsv, AnEmptyLineIsARowWithOneEmptyCell) { EXPECT_EQ(fromTsv("3\n\n5\n"), (CellBlock{{"3"}, {""}, {"5"}})); }
 
 TEST(Tsv, WindowsLineBreaksEndRows) { EXPECT_EQ(fromTsv("1\t2\r\n3\t4\r\n"), (CellBlock{{"1", "2"}, {"3", "4"}})); }
 

@@ -1,8 +1,7 @@
 #include "app/desktop/visible_graph.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 #include "app/desktop/graph_layout.h"
 
@@ -17,9 +16,9 @@ using percollect::NodeKind;
 percollect::Graph graph() {
   percollect::GraphData data;
   data.tree = "t";
-  for (const auto& [id, kind] : {std::pair("A", NodeKind::Effect), std::pair("B", NodeKind::Effect),
-                                 std::pair("E", NodeKind::Effect), std::pair("d", NodeKind::DesignParameter),
-                                 std::pair("s", NodeKind::SystemIndependent)}) {
+  for (const auto& [id, kind] :
+       {std::pair("A", NodeKind::Effect), std::pair("B", NodeKind::Effect), std::pair("E", NodeKind::Effect),
+        std::pair("d", NodeKind::DesignParameter), std::pair("s", NodeKind::SystemIndependent)}) {
     percollect::Node& node = data.nodes.emplace_back();
     node.id = node.title = id;
     node.kind = kind;
@@ -65,8 +64,9 @@ TEST(VisibleGraph, HiddenDirectCausesAreCounted) {
 // Whatever hides a node, revealing shows it, and nothing that was visible goes without need.
 TEST(VisibleGraph, RevealingShowsTheNodeUnderEveryFilter) {
   const auto all = graph();
-  for (const GraphFilter& start : {GraphFilter{.causes = false}, GraphFilter{.phenomena = {1}}, GraphFilter{.folded = {0, 2}},
-                                   GraphFilter{.phenomena = {1}, .causes = false, .folded = {2}, .only_through = 1}}) {
+  for (const GraphFilter& start :
+       {GraphFilter{.causes = false}, GraphFilter{.phenomena = {1}}, GraphFilter{.folded = {0, 2}},
+        GraphFilter{.phenomena = {1}, .causes = false, .folded = {2}, .only_through = 1}}) {
     for (std::size_t node = 0; node < all.size(); ++node) {
       GraphFilter filter = start;
       desktop::reveal(all, node, filter);
