@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
 #include "core/physics.h"
@@ -41,13 +42,29 @@ double azimuthStep_deg(const Replay& replay) {
   return step_rad * core::kDegPerRad;
 }
 
+/// Smallest distance of two different measured values: the step of a counter shows in its values.
+double smallestStep(const Replay& replay, Channel channel) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ReplaySample& sample : replay.samples()) {
+    std::vector<double> values = channel == kEpw ? sample.measured.epw_m : sample.measured.range_m;
+    std::sort(values.begin(), values.end());
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      if (values[i] - values[i - 1] > 1e-6) step = std::min(step, values[i] - values[i - 1]);
+    }
+  }
+  return step;
+}
+
 /// Starts that the map of residuals suggests: sector ends half a beam outside the strata where the gap lies.
 std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
                                             const std::vector<WhereRow>& where) {
   const double half_deg = azimuthStep_deg(replay) / 2.0;
   std::vector<std::vector<double>> starts;
+  for (const FreeParameter& parameter : hypothesis.parameters) {
+    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m") starts.push_back({smallestStep(replay, kRange)});
+  }
   for (const WhereRow& row : where) {
-    if (row.covariate != "azimuth_deg" || starts.size() >= 3) continue;
+    if (row.covariate != "azimuth_deg" || starts.size() >= 12) continue;
     std::vector<double> start;
     bool sector = false;
     for (const FreeParameter& parameter : hypothesis.parameters) {
@@ -55,7 +72,15 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
       sector = sector || from || to;
       start.push_back(from ? row.low - half_deg : to ? row.high + half_deg : parameter.start);
     }
-    if (sector) starts.push_back(start);
+    if (!sector) continue;
+    for (const double share : {0.06, 0.15, 0.35, 0.7}) {  // how strong the sector is, the map does not say
+      std::vector<double> strength = start;
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        const FreeParameter& p = hypothesis.parameters[i];
+        if (p.unit != "deg") strength[i] = p.low + share * (p.high - p.low);
+      }
+      starts.push_back(strength);
+    }
   }
   return starts;
 }
@@ -76,8 +101,8 @@ Candidate judged(const Replay& replay, const Split& split, const Yardstick& yard
     candidate.values = fit(replay, hypothesis, split.fitted, starts, progress).values;
   }
   const World world = worldOf(replay, hypothesis, candidate.values);
-  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out).sum);
-  candidate.explained_fitted = yardstick.explainedFitted(discrepancyOf(replay, world, split.fitted).sum);
+  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out).sum,
+                                            selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
   return candidate;
 }
 
@@ -92,12 +117,10 @@ double Candidate::merit() const {
   return explained - kPricePerParameter * static_cast<double>(hypothesis.parameters.size());
 }
 
-double Yardstick::explained(double discrepancy) const {
-  return (baseline - discrepancy) / std::max(1e-9, baseline - perfect);
-}
-
-double Yardstick::explainedFitted(double discrepancy) const {
-  return (baseline_fitted - discrepancy) / std::max(1e-9, baseline_fitted - perfect_fitted);
+double Yardstick::explained(double discrepancy, double self) const {
+  // A world may not buy its share with noise: at least half of the way to a quiet right model counts as the whole way.
+  const double whole_way = std::max(baseline - std::max(self, perfect), 0.5 * (baseline - perfect));
+  return std::min(1.0, (baseline - discrepancy) / std::max(1e-9, whole_way));  // luck beyond the whole way is no merit
 }
 
 double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
@@ -111,19 +134,23 @@ Split splitOf(const Replay& replay, std::uint64_t seed) {
     (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
   }
   if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return split;
+  if (samples.size() < 3) return splitByBeams(replay, seed);
   split.held_out.samples.clear();
   split.fitted.samples.clear();
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    (samples.size() >= 3 && s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
+  for (std::size_t s = 0; s < samples.size(); ++s) (s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
+  return split;
+}
+
+Split splitByBeams(const Replay& replay, std::uint64_t seed) {
+  Split split;
+  const bool pooled = replay.samples().front().layout->pooled();
+  split.fitted = {.samples = {}, .half = pooled ? Half::kAll : Half::kEven, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {.samples = {}, .half = pooled ? Half::kAll : Half::kOdd, .most_frames = kJudgeFrames, .seed = seed};
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    split.fitted.samples.push_back(s);
+    split.held_out.samples.push_back(s);
   }
-  if (split.held_out.samples.empty()) {
-    split.weak = true;
-    split.held_out.samples = split.fitted.samples;
-    if (!samples.front().layout->pooled()) {
-      split.fitted.half = Half::kEven;
-      split.held_out.half = Half::kOdd;
-    }
-  }
+  split.weak = true;
   return split;
 }
 
@@ -131,7 +158,6 @@ Yardstick yardstickOf(const Replay& replay, const Split& split) {
   Yardstick yardstick;
   const World& world = replay.baseline();
   yardstick.baseline = discrepancyOf(replay, world, split.held_out).sum;
-  yardstick.baseline_fitted = discrepancyOf(replay, world, split.fitted).sum;
   std::vector<double> runs(kNullRuns);
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
     runs[begin] = selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 1000 + begin);
@@ -140,7 +166,6 @@ Yardstick yardstickOf(const Replay& replay, const Split& split) {
   double squares = 0.0;
   for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
   yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1));
-  yardstick.perfect_fitted = selfDiscrepancy(replay, world, split.fitted, split.fitted.seed + 1000);
   return yardstick;
 }
 

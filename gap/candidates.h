@@ -16,15 +16,17 @@ struct Split {
 };
 
 /// Samples of role `prediction` judge, the others are fitted. Without them every third sample judges; with fewer than
-/// three samples every second beam column.
+/// three samples the beams are split.
 [[nodiscard]] Split splitOf(const Replay& replay, std::uint64_t seed);
+
+/// Every second beam column of all samples judges: the weaker way, where no whole sample can.
+[[nodiscard]] Split splitByBeams(const Replay& replay, std::uint64_t seed);
 
 /// A hypothesis with its fit and what the held-out data say of it.
 struct Candidate {
   Hypothesis hypothesis;
   std::vector<double> values;
-  double explained = 0.0;  ///< (baseline - this) / (baseline - a perfect model), discrepancies on held-out data
-  double explained_fitted = 0.0;  ///< the same on the fitted data
+  double explained = 0.0;  ///< (baseline - this) / (baseline - this if it were right), discrepancies on held-out data
 
   /// What counts in comparisons: every free number must earn its place.
   [[nodiscard]] double merit() const;
@@ -35,11 +37,10 @@ struct Yardstick {
   double baseline = 0.0;  ///< of the model as it was brought, held-out
   double perfect = 0.0;   ///< of a model that is right but for noise
   double perfect_spread = 0.0;
-  double baseline_fitted = 0.0;
-  double perfect_fitted = 0.0;
 
-  [[nodiscard]] double explained(double discrepancy) const;
-  [[nodiscard]] double explainedFitted(double discrepancy) const;
+  /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one that
+  /// loses detections at random cannot come closer than that.
+  [[nodiscard]] double explained(double discrepancy, double self) const;
   /// How far the baseline stands above noise, in standard deviations of noise.
   [[nodiscard]] double z() const;
 };

@@ -14,6 +14,17 @@ namespace gap {
 
 namespace {
 
+constexpr std::size_t kFewForAMedian = 4;
+constexpr double kOutlier = 6.0;         // standard deviations
+constexpr double kNormalMad = 1.4826;    // standard deviation of a normal distribution over its median deviation
+
+/// Reorders the values.
+double medianOf(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 struct Surface {
   std::int32_t object;
   double weight = 0.0;
@@ -66,6 +77,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
   const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
   reach_m_ = std::max(1.0, 2.0 * separation_m);
+  const double step_m = settings.detection.range_resolution_m, noise_m = settings.detection.range_noise_m;
+  tolerance_m_ = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
   if (pooled_) {
     cells_ = {{.object = 0}};
     surfaces_ = 1;
@@ -109,23 +122,49 @@ void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
   }
 }
 
-std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
+  // Detections by cell, in one array: those of cell c are order[first[c] … first[c + 1]).
+  std::vector<std::size_t> cell_of(values.size()), first(cells_.size() + 1, 0), order(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) ++first[(cell_of[i] = cellOf(values[i].beam, values[i].of[kRange])) + 1];
+  for (std::size_t c = 0; c < cells_.size(); ++c) first[c + 1] += first[c];
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) order[next[cell_of[i]]++] = i;
+
   std::vector<CellStatistics> statistics(cells_.size());
-  for (const model::Shot& shot : shots) {
-    add(statistics, cellOf(shot.beam, shot.range_m), {shot.range_m, shot.epw_m, shot.intensity_nw});
+  std::vector<double> ranges;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    ranges.clear();
+    for (std::size_t k = first[c]; k < first[c + 1]; ++k) ranges.push_back(values[order[k]].of[kRange]);
+    const bool checked = c < surfaces_ && !pooled_ && ranges.size() >= kFewForAMedian;
+    const double median = checked ? medianOf(ranges) : 0.0;
+    for (double& range : ranges) range = std::abs(range - median);
+    const double tolerance = checked ? std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges)) : 0.0;
+    for (std::size_t k = first[c]; k < first[c + 1]; ++k) {
+      const Value& value = values[order[k]];
+      const bool outlier = checked && std::abs(value.of[kRange] - median) > tolerance;
+      add(statistics, outlier ? surfaces_ + value.beam : c, value.of);
+    }
   }
   return statistics;
 }
 
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+  std::vector<Value> values;
+  values.reserve(shots.size());
+  for (const model::Shot& shot : shots) values.push_back({shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
+  return statisticsOf(values);
+}
+
 std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,
                                                      const std::vector<std::uint32_t>& beam_of) const {
-  std::vector<CellStatistics> statistics(cells_.size());
+  std::vector<Value> values;
+  values.reserve(detections.size());
   for (std::size_t i = 0; i < detections.size(); ++i) {
-    add(statistics, cellOf(pooled_ ? 0 : beam_of[i], detections.range_m[i]),
-        {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
-         detections.intensity.empty() ? 0.0 : detections.intensity[i]});
+    values.push_back({pooled_ ? 0 : beam_of[i],
+                      {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
+                       detections.intensity.empty() ? 0.0 : detections.intensity[i]}});
   }
-  return statistics;
+  return statisticsOf(values);
 }
 
 std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections, const std::vector<model::Beam>& beams,

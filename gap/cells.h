@@ -36,7 +36,9 @@ struct CellStatistics {
   [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
 };
 
-/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam.
+/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam. A detection that
+/// lies far from its cell's median (six standard deviations, estimated from the median deviation) was not made by the
+/// surface and counts as extra: one false echo would otherwise move the mean of a cell by more than its error.
 class CellLayout {
  public:
   CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
@@ -52,13 +54,19 @@ class CellLayout {
                                                          const std::vector<std::uint32_t>& beam_of) const;
 
  private:
+  struct Value {
+    std::uint32_t beam;
+    std::array<double, kChannels> of;
+  };
   [[nodiscard]] std::size_t cellOf(std::uint32_t beam, double range_m) const;
+  [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell, const std::array<double, kChannels>& values) const;
 
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
-  double reach_m_ = 0.0;  ///< farther from every anchor a detection is extra
+  double reach_m_ = 0.0;      ///< farther from every anchor a detection is extra
+  double tolerance_m_ = 0.0;  ///< nearer to its cell's median a detection is no outlier, however calm the cell is
   bool pooled_ = false;   ///< directions were not recorded: everything is one cell
 };
 

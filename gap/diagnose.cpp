@@ -19,6 +19,7 @@ namespace {
 constexpr int kWhereFrames = 24;
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;       // of the gap being present at all
+constexpr double kClear = 5.0;               // standard deviations: a gap beyond doubt
 constexpr double kMaterialSteps = 0.25;      // of the resolution: smaller deviations are not called a gap
 constexpr double kExplains = 0.70;           // share that a cause must explain on held-out data to be named
 constexpr double kLooksFurther = 0.93;       // below it pairs are tried
@@ -51,7 +52,9 @@ WhereResult findWhere(const Replay& replay, const World& world, std::uint64_t se
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);
   result.rows = whereRows(replay, result.tables, simulated);
-  for (const ResidualTable& table : result.tables) result.largest_steps = std::max(result.largest_steps, table.excess());
+  for (const ResidualTable& table : result.tables) {
+    result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
+  }
   for (const WhereRow& row : result.rows) {
     for (const ResidualTable& table : result.tables) {
       if (table.measurand != row.measurand || table.component != row.component || row.p_value > kSignificance) continue;
@@ -203,7 +206,8 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
     Cause& cause = diagnosis.causes[c];
     cause.shrink = far.shrink;
     for (FittedParameter& parameter : cause.parameters) {
-      if (used < intervals.size()) parameter.interval = intervals[used++];
+      if (used >= intervals.size()) break;
+      parameter.interval = intervals[used++];
     }
   }
   const bool in_model_file = after.reflectivity.empty() && after.references.empty();
@@ -261,9 +265,20 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const std::uint64_t seed = options.seed.value_or(model.seed);
   progress.report(0.0, "tracing the samples");
   const Replay replay(experiment, model);
-  const Split split = splitOf(replay, seed);
   progress.report(0.05, "comparing with the baseline");
-  const Yardstick yardstick = yardstickOf(replay, split);
+  Split split = splitOf(replay, seed);
+  Yardstick yardstick = yardstickOf(replay, split);
+  double z = yardstick.z();
+  if (z < kClear) {
+    // The gap may lie in samples that were not held out only: then beams of all samples judge.
+    const Split by_beams = splitByBeams(replay, seed);
+    const Yardstick of_all = yardstickOf(replay, by_beams);
+    if (of_all.z() > kClear) {
+      split = by_beams;
+      yardstick = of_all;
+      z = of_all.z();
+    }
+  }
   const WhereResult where = findWhere(replay, replay.baseline(), seed);
 
   Diagnosis diagnosis;
@@ -273,7 +288,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   diagnosis.where = where.rows;
   diagnosis.weak_hold_out = split.weak;
   for (const std::size_t s : split.held_out.samples) diagnosis.held_out.push_back(replay.samples()[s].sample->id);
-  diagnosis.p_value = boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(yardstick.z(), -37.0, 37.0)));
+  diagnosis.p_value = boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -37.0, 37.0)));
   diagnosis.present = diagnosis.p_value < kSignificance && where.largest_steps >= kMaterialSteps;
 
   Decision decision;

@@ -15,7 +15,8 @@ constexpr double kSpreadFloor = 0.05;         // of the logarithm of a variance
 constexpr double kLostCell = 20.0;             // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;         // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;      // weight of the profile's own noise in a cell's variance
-constexpr std::size_t kSpreadGroups = 6;      // groups of like power in which spreads are compared
+constexpr double kGroupRateFloor = 0.004;      // detections per frame and cell, mean of a group
+constexpr std::size_t kGroups = 6;            // groups of like power in which rates and spreads are compared
 
 double rho(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
 
@@ -62,12 +63,33 @@ double rateTerm(double measured, int measured_frames, double simulated, int simu
   return rho((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
 }
 
+/// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
+void addRates(const std::vector<std::size_t>& cells, const std::vector<CellStatistics>& measured, int measured_frames,
+              const std::vector<CellStatistics>& simulated, int simulated_frames, Discrepancy& result) {
+  const std::size_t groups = std::min(kGroups, cells.size());
+  for (std::size_t g = 0; g < groups; ++g) {
+    const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
+    const auto size = static_cast<double>(end - begin);
+    double m = 0.0, s = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      m += measured[cells[i]].count / (size * measured_frames);
+      s += simulated[cells[i]].count / (size * simulated_frames);
+    }
+    const double rate = std::clamp(0.5 * (m + s), 0.5 / (size * measured_frames), 1.0);
+    const double variance = std::max(rate * (1.0 - rate), 0.02 * rate) / size;
+    const double error = variance / measured_frames + variance / simulated_frames + kGroupRateFloor * kGroupRateFloor;
+    const double weight = std::sqrt(size);
+    result.sum += weight * rho((m - s) / std::sqrt(error));
+    result.terms += weight;
+  }
+}
+
 /// Spread within cells, pooled over groups of cells of like predicted power.
 void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
                const std::vector<CellStatistics>& measured, const std::vector<CellStatistics>& simulated,
                Discrepancy& result) {
   const double prior = priorVariance(replay, sample, channel);
-  const std::size_t groups = std::min(kSpreadGroups, cells.size());
+  const std::size_t groups = std::min(kGroups, cells.size());
   for (std::size_t g = 0; g < groups; ++g) {
     double dof_m = 0.0, dof_s = 0.0, sum_m = 0.0, sum_s = 0.0;
     for (std::size_t i = cells.size() * g / groups; i < cells.size() * (g + 1) / groups; ++i) {
@@ -103,10 +125,11 @@ Discrepancy discrepancy(const Replay& replay, std::size_t index, const std::vect
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
   Discrepancy result;
-  std::vector<std::size_t> surfaces;
+  std::vector<std::size_t> surfaces, extra;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!takesPart(sample, cells[c], half)) continue;
     const CellStatistics &m = measured[c], &s = simulated[c];
+    if (c >= sample.layout->surfaces()) extra.push_back(c);
     if (m.count == 0.0 && s.count == 0.0) continue;
     if (!sample.layout->pooled()) {
       result.sum += rateTerm(m.count, measured_frames, s.count, simulated_frames);
@@ -129,6 +152,10 @@ Discrepancy discrepancy(const Replay& replay, std::size_t index, const std::vect
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
     return cells[a].power_over_threshold < cells[b].power_over_threshold;
   });
+  if (!sample.layout->pooled()) {
+    addRates(surfaces, measured, measured_frames, simulated, simulated_frames, result);
+    addRates(extra, measured, measured_frames, simulated, simulated_frames, result);
+  }
   for (const Channel channel : replay.channels()) addSpread(replay, sample, surfaces, channel, measured, simulated, result);
   return result;
 }

@@ -11,8 +11,8 @@ namespace gap {
 ///
 ///   ρ(z) = sqrt(1 + z²) - 1
 ///
-/// of the mean of every channel, of the detections per frame, and (over groups of cells of like predicted power) of the
-/// spread. Quadratic near zero, linear far out, so that a few badly sampled edge beams decide nothing. z is the
+/// of the mean of every channel and of the detections per frame, and (over groups of cells of like predicted power) of
+/// the detections per frame and the spread. Quadratic near zero, linear far out, so that a few badly sampled edge beams decide nothing. z is the
 /// difference over its standard error, which holds a floor: differences below a fraction of a resolution step are not
 /// worth explaining.
 struct Discrepancy {

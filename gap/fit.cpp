@@ -58,7 +58,7 @@ double vanDerCorput(unsigned n, unsigned base) {
 
 std::vector<std::vector<double>> coarsePoints(std::size_t dimensions) {
   constexpr unsigned kBases[] = {2, 3, 5, 7, 11, 13};
-  const unsigned count = dimensions == 1 ? 10 : dimensions == 2 ? 24 : 40;
+  const unsigned count = dimensions == 1 ? 14 : dimensions == 2 ? 24 : 40;
   std::vector<std::vector<double>> points;
   for (unsigned n = 0; n < count; ++n) {
     std::vector<double> point;
@@ -239,7 +239,8 @@ Fit fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evid
     for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
     all.push_back(typical);
     std::vector<double> best = coarseSearch(objective, all);
-    best = objective.dimensions() == 1 ? refineOne(objective, best[0]) : refineSeveral(objective, best);
+    const auto refined = objective.dimensions() == 1 ? refineOne(objective, best[0]) : refineSeveral(objective, best);
+    if (objective(refined) < objective(best)) best = refined;  // a rugged objective may lead the refinement astray
     result.values = objective.valuesAt(best);
   }
   result.discrepancy = discrepancyOf(replay, worldOf(replay, hypothesis, result.values), evidence);

@@ -95,8 +95,8 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
     bars.bars.push_back({cause.name, std::clamp(cause.explained, 0.0, 1.0), std::nullopt, named});
     std::string parameters;
     for (const FittedParameter& p : cause.parameters) {
-      parameters += fmt::format("{}{} = {} {}{}", parameters.empty() ? "" : "; ", p.name, core::significant(p.value, 4),
-                                p.unit, p.interval ? " (" + intervalText(*p.interval) + ")" : "");
+      parameters += fmt::format("{}{} = {}{}{}{}", parameters.empty() ? "" : "; ", p.name, core::significant(p.value, 4),
+                                p.unit.empty() ? "" : " ", p.unit, p.interval ? " (" + intervalText(*p.interval) + ")" : "");
     }
     for (const auto& [setup, p] : cause.setups) {
       parameters += fmt::format("{}{}: {} {}", parameters.empty() ? "" : "; ", setup, core::significant(p.value, 3), p.unit);
@@ -104,8 +104,7 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
     rows.push_back({report::text(toString(cause.kind)), report::text(cause.name), report::text(cause.variant),
                     report::text(parameters), report::text(percent(cause.explained)),
                     report::text(percent(cause.shrink.fraction)), report::text(percent(cause.confidence)),
-                    report::text(cause.chain_titles.empty() ? core::join(cause.percollect)
-                                                            : core::join(cause.chain_titles, " → "))});
+                    report::text(core::join(cause.chain_titles, " → "))});
   }
   page.figure(report::barFigure(bars), "A cause that is right explains nearly all; the rest of the list is what it was weighed against.");
   page.table({{"kind"}, {"cause"}, {"form"}, {"fitted parameters (95 % interval over set-ups)"}, {"explains", Align::Right},

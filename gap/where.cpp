@@ -204,6 +204,16 @@ double ResidualTable::excess() const {
   return weight > 0.0 ? totalGapOf(rows) / weight / scale : 0.0;
 }
 
+double ResidualTable::commonShift() const {
+  double sum = 0.0, weight = 0.0, variance = 0.0;
+  for (const Row& row : rows) {
+    sum += row.weight * row.value;
+    weight += row.weight;
+    variance += row.weight * row.weight * row.error * row.error;
+  }
+  return weight > 0.0 && std::abs(sum) > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
+}
+
 std::vector<ResidualTable> residualTables(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated,
                                           const std::vector<int>& simulated_frames) {
   std::vector<ResidualTable> tables;
@@ -256,7 +266,7 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
   std::vector<WhereRow> result;
   for (const ResidualTable& table : tables) {
     const double all_gap = totalGapOf(table.rows);
-    if (all_gap <= 0.0 || table.excess() < kSmallestExcess) continue;
+    if (all_gap <= 0.0 || std::max(table.excess(), table.commonShift()) < kSmallestExcess) continue;
     double all_weight = 0.0;
     for (const Row& row : table.rows) all_weight += row.weight;
     for (const Covariate& covariate : covariates) {
@@ -288,7 +298,9 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
   }
   // The measurand with the largest gap first; within it the stratum that concentrates it most.
   std::map<std::pair<std::string, std::string>, double> largest;
-  for (const ResidualTable& table : tables) largest[{table.measurand, table.component}] = table.excess();
+  for (const ResidualTable& table : tables) {
+    largest[{table.measurand, table.component}] = std::max(table.excess(), table.commonShift());
+  }
   std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
     const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
     return excess_a != excess_b ? excess_a > excess_b : a.score > b.score;

@@ -41,6 +41,9 @@ struct ResidualTable {
 
   /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.
   [[nodiscard]] double excess() const;
+  /// Size of the mean residual in scale units, if it stands out of its error by a factor of five; else 0. Finds what is
+  /// small in every cell but the same in all.
+  [[nodiscard]] double commonShift() const;
 };
 
 /// Residuals of every channel (bias and scatter) and of existence.

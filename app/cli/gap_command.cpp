@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <ostream>
 
 #include "app/cli/commands.h"
@@ -56,7 +57,9 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
     }
   }
   for (const gap::Cause& cause : diagnosis.causes) {
-    out << "  cause: " << gap::toString(cause.kind) << " " << cause.name << ", explains "
+    const auto& names = diagnosis.verdict.names;
+    const bool named = std::find(names.begin(), names.end(), cause.name) != names.end();
+    out << (named ? "  cause: " : "  also weighed: ") << gap::toString(cause.kind) << " " << cause.name << ", explains "
         << core::significant(100.0 * cause.explained, 3) << " % of the held-out discrepancy";
     for (const gap::FittedParameter& p : cause.parameters) {
       out << "; " << p.name << " = " << core::significant(p.value, 4);
