@@ -1,5 +1,6 @@
 #include "app/desktop/cepra_page.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSplitter>
@@ -205,5 +206,10 @@ void CepraPage::followLink(const QUrl& url) {
 }
 
 void CepraPage::tellCount() { count_->setText(tr("%1 of %2 rows").arg(filter_.rowCount()).arg(model_.rowCount())); }
+
+void CepraPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showDetails();
+}
 
 }  // namespace desktop

@@ -31,6 +31,9 @@ class CepraPage final : public QWidget {
   void nodeRequested(const QString& id);
   void itemRequested(const QString& id);
 
+ protected:
+  void changeEvent(QEvent* event) override;  ///< rich text holds colours of the palette
+
  private:
   QWidget* makeBar();
   QWidget* makeSide();

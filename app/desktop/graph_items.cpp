@@ -69,7 +69,7 @@ QRectF NodeItem::box() const { return {-size_.width() / 2, -size_.height() / 2, 
 
 QRectF NodeItem::button() const {
   const double width = hidden_ > 0 ? 2 * kButton + 10 : 2 * kButton;
-  return {size_.width() / 2 - width / 2 - 4, -kButton, width, 2 * kButton};
+  return {size_.width() / 2 - width / 2, -kButton, width, 2 * kButton};  // half outside, clear of the title
 }
 
 bool NodeItem::onFoldButton(const QPointF& scene_position) const {

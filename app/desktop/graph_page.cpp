@@ -3,10 +3,12 @@
 #include <QAction>
 #include <QCompleter>
 #include <QDesktopServices>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPixmap>
 #include <QSplitter>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -19,13 +21,13 @@ namespace {
 
 /// Above this many nodes the drawing begins with the effects only.
 constexpr std::size_t kManyNodes = 60;
+/// A new drawing is never shown smaller than this; what does not fit is scrolled to.
+constexpr double kLegible = 0.6;
 constexpr int kNodeRole = Qt::UserRole + 1;
 
-QToolButton* toggle(const QString& text, const QString& tip) {
-  auto* button = new QToolButton;
-  button->setText(text);
+QCheckBox* toggle(const QString& text, const QString& tip) {
+  auto* button = new QCheckBox(text);
   button->setToolTip(tip);
-  button->setCheckable(true);
   button->setAccessibleDescription(tip);
   return button;
 }
@@ -75,7 +77,7 @@ GraphPage::GraphPage(ProjectDocument& document, QWidget* parent)
   connect(scene_, &GraphScene::backgroundClicked, this, &GraphPage::clearSelection);
   connect(scene_, &GraphScene::foldToggled, this, &GraphPage::toggleFold);
   connect(scene_, &GraphScene::drawn, this, [this] {
-    if (fit_when_drawn_) view_->fit(0.42);
+    if (fit_when_drawn_) view_->fit(kLegible);
     fit_when_drawn_ = false;
     if (wanted_ && scene_->itemOf(*wanted_)) {
       scene_->select(wanted_);
@@ -142,13 +144,13 @@ QWidget* GraphPage::makeBar() {
     fit_when_drawn_ = true;
     applyFilter();
   });
-  connect(causes_, &QToolButton::clicked, this, [this](bool on) {
+  connect(causes_, &QCheckBox::clicked, this, [this](bool on) {
     filter_.causes = on;
     filter_.revealed.clear();
     fit_when_drawn_ = true;
     applyFilter();
   });
-  connect(isolate_, &QToolButton::clicked, this, [this](bool on) {
+  connect(isolate_, &QCheckBox::clicked, this, [this](bool on) {
     filter_.only_through = on ? scene_->selected() : std::nullopt;
     fit_when_drawn_ = true;
     applyFilter();
@@ -218,9 +220,10 @@ void GraphPage::search(const QString& text) {
   for (std::size_t node = 0; node < document_.graph().size(); ++node) {
     if (matches(document_.graph().node(node), words)) found.insert(node);
   }
-  hits_->setText(words.isEmpty() ? QString() : tr("%n hit(s)", "", int(found.size())));
+  hits_->setText(words.isEmpty() ? QString() : found.size() == 1 ? tr("1 hit") : tr("%1 hits").arg(found.size()));
   if (!words.isEmpty()) scene_->select(std::nullopt);
   scene_->markHits(found);
+  showDetails();
 }
 
 void GraphPage::pick(std::size_t node) {
@@ -290,6 +293,11 @@ void GraphPage::followLink(const QUrl& url) {
 
 void GraphPage::tellCount() {
   count_->setText(tr("%1 of %2 nodes shown").arg(scene_->nodesShown()).arg(document_.graph().size()));
+}
+
+void GraphPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showDetails();
 }
 
 }  // namespace desktop

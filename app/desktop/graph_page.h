@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QStandardItemModel>
 #include <QTextBrowser>
-#include <QToolButton>
 #include <QWidget>
 
 #include "app/desktop/graph_scene.h"
@@ -35,6 +35,9 @@ class GraphPage final : public QWidget {
   void rowsRequested(const QString& node_id);
   void itemRequested(const QString& id);
 
+ protected:
+  void changeEvent(QEvent* event) override;  ///< rich text holds colours of the palette
+
  private:
   QWidget* makeBar();
   QWidget* makeLegend();
@@ -58,8 +61,8 @@ class GraphPage final : public QWidget {
   QLabel* hits_;
   QLabel* count_;
   QComboBox* phenomenon_;
-  QToolButton* causes_;
-  QToolButton* isolate_;
+  QCheckBox* causes_;
+  QCheckBox* isolate_;
   QStandardItemModel* completions_;
   GraphFilter filter_;
   std::optional<std::size_t> wanted_;  ///< to be selected once it is drawn

@@ -30,7 +30,11 @@ QStringList choicesOf(const std::string& field) {
   return {};
 }
 
-bool isLong(const std::string& field) { return field == "text" || field == "rationale" || field == "conditions"; }
+/// Lines that a field shows; 1: a line edit.
+int linesOf(const std::string& field) {
+  if (field == "text" || field == "rationale") return 4;
+  return field == "conditions" || field == "effects" ? 2 : 1;
+}
 
 /// Half a value would be refused while it is typed.
 bool takenWhenLeft(const std::string& field) { return field == "id" || field == "frames" || field == "options"; }
@@ -102,10 +106,10 @@ QWidget* ItemForm::makeEditor(const ItemField& field) {
     connect(choice, &QComboBox::textActivated, this, [this, name](const QString& text) { take(name, text); });
     return choice;
   }
-  if (isLong(name)) {
+  if (linesOf(name) > 1) {
     auto* lines = new QPlainTextEdit;
     lines->setTabChangesFocus(true);
-    lines->setFixedHeight(lines->fontMetrics().lineSpacing() * 4 + 14);
+    lines->setFixedHeight(lines->fontMetrics().lineSpacing() * linesOf(name) + 14);
     connect(lines, &QPlainTextEdit::textChanged, this, [this, name, lines] { take(name, lines->toPlainText()); });
     return lines;
   }

@@ -72,9 +72,11 @@ QString nodeDetails(const ProjectDocument& document, std::size_t index, const QP
   page += html::section(QObject::tr("Chains"), palette);
   page += html::paragraph(QObject::tr("%1 from a phenomenon to a last cause run through this node.")
                               .arg(countText(percollect::countChains(graph, {.through = index}))));
-  page += rows.empty()
-              ? html::paragraph(QObject::tr("No CEPRA row has it."))
-              : html::paragraph(html::link("rows:" + id, QObject::tr("%n CEPRA row(s)", "", int(rows.size()))));
+  page +=
+      rows.empty()
+          ? html::paragraph(QObject::tr("No CEPRA row has it."))
+          : html::paragraph(html::link("rows:" + id, rows.size() == 1 ? QObject::tr("1 CEPRA row")
+                                                                      : QObject::tr("%1 CEPRA rows").arg(rows.size())));
   if (const QString bound = boundTexts(document, rows); !bound.isEmpty()) {
     page += html::section(QObject::tr("Requirements and the effects they bind"), palette) + bound;
   }

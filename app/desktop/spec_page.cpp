@@ -1,5 +1,6 @@
 #include "app/desktop/spec_page.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -26,7 +27,6 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
   tree_->setAccessibleName(tr("Specification"));
   tree_->setUniformRowHeights(true);
   tree_->setIconSize({18, 18});
-  tree_->setStyleSheet("QTreeView::item { padding: 3px 0 }");
   tree_->setAlternatingRowColors(true);
   links_->setOpenLinks(false);
   links_->document()->setDocumentMargin(10);
@@ -104,7 +104,7 @@ void SpecPage::rebuild() {
   model_.rebuild();
   tree_->expandAll();
   tree_->header()->setStretchLastSection(true);
-  constexpr int kWidths[] = {330, 110, 120, 100};
+  constexpr int kWidths[] = {350, 100, 118, 100};
   for (int column = 0; column < 4; ++column) tree_->setColumnWidth(column, kWidths[column]);
   QModelIndex at = model_.indexOf(before);
   for (int group = 0; !at.isValid() && group < model_.rowCount(); ++group)
@@ -187,6 +187,11 @@ void SpecPage::followLink(const QUrl& url) {
   } else if (url.scheme() == "reviewed") {
     document_.markReviewed(from, to);
   }
+}
+
+void SpecPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showLinks();
 }
 
 }  // namespace desktop

@@ -28,6 +28,9 @@ class SpecPage final : public QWidget {
   void rowRequested(const QString& key);
   void resultRequested(const QString& test_id);
 
+ protected:
+  void changeEvent(QEvent* event) override;  ///< rich text holds colours of the palette
+
  private:
   QWidget* makeBar();
   void rebuild();

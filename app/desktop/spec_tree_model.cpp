@@ -1,6 +1,8 @@
 #include "app/desktop/spec_tree_model.h"
 
+#include <QApplication>
 #include <QFont>
+#include <QFontMetrics>
 #include <algorithm>
 
 #include "app/desktop/colours.h"
@@ -23,6 +25,9 @@ int gravity(specs::Verdict verdict) {
   }
   return 0;
 }
+
+/// Room above and below the line.
+QSize rowSize() { return {0, QFontMetrics(QApplication::font()).lineSpacing() + 7}; }
 
 QString shortWord(specs::Kind kind) {
   switch (kind) {
@@ -86,6 +91,7 @@ QStandardItem* SpecTreeModel::addGroup(const QString& title) {
   bold.setBold(true);
   group->setFont(bold);
   group->setEditable(false);
+  group->setSizeHint(rowSize());
   appendRow(group);
   return group;
 }
@@ -106,6 +112,7 @@ QList<QStandardItem*> SpecTreeModel::cellsFor(const std::string& id) const {
   for (int column = 0; column < ColumnCount; ++column) {
     cells << new QStandardItem;
     cells.back()->setEditable(false);
+    cells.back()->setSizeHint(rowSize());
   }
   cells[Title]->setData(QString::fromStdString(id), IdRole);
   fill(cells, id);

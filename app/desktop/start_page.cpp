@@ -49,7 +49,6 @@ void StartPage::setRecentFiles(const QStringList& files) {
     auto* button = new QPushButton(QFileInfo(file).fileName());
     button->setFlat(true);
     button->setToolTip(file);
-    button->setStyleSheet("text-align: left");
     connect(button, &QPushButton::clicked, this, [this, file] { emit fileRequested(file); });
     recent_->addWidget(button);
   }

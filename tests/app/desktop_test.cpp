@@ -23,6 +23,7 @@
 #include "app/desktop/results_page.h"
 #include "app/desktop/screenshots.h"
 #include "app/desktop/spec_page.h"
+#include "cepra/csv.h"
 #include "percollect/read_graph.h"
 #include "specs/import_graph.h"
 #include "specs/lists.h"
@@ -49,6 +50,7 @@ class Desktop : public testing::Test {
       auto store = specs::ProjectStore::create(file());
       specs::importGraph(store, percollect::readGraph(demo / "lidar-excerpt.json").graph, kEve);
       specs::applyLists(store, specs::readLists(demo / "specification", store.specification()), false, kEve);
+      store.saveCepra(cepra::importCsv(store.cepra(), demo / "cepra.csv").table, kEve);
     }
     settings_ =
         std::make_unique<QSettings>(QString::fromStdString((folder_ / "settings.ini").string()), QSettings::IniFormat);
@@ -354,6 +356,17 @@ TEST_F(Desktop, PicturesOfEveryTabInLightAndDark) {
   const std::filesystem::path pictures = FIDELIS_SCREENSHOTS;
   QApplication::setPalette(desktop::lightPalette());
   desktop::renderTabs(*window_, pictures / "light");
+  window_->graphPage().showNode(graph().node(graph().children(graph().phenomena()[0])[0]).id);
+  window_->showTab(MainWindow::Graph);
+  desktop::settle(*window_);
+  window_->grab().save(QString::fromStdString((pictures / "light" / "graph-chains.png").string()));
+  QTest::keyClicks(child<QLineEdit>("graphSearch"), "echo");
+  QTest::qWait(100);
+  window_->grab().save(QString::fromStdString((pictures / "light" / "graph-search.png").string()));
+  MainWindow start(*settings_);
+  start.show();
+  desktop::settle(start);
+  start.grab().save(QString::fromStdString((pictures / "light" / "start.png").string()));
   QApplication::setPalette(desktop::darkPalette());
   desktop::renderTabs(*window_, pictures / "dark");
   QApplication::setPalette(desktop::lightPalette());
