@@ -58,6 +58,7 @@ ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, 
 
   connect(tests_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ResultsPage::showResult);
   connect(&document_, &ProjectDocument::reset, this, [this] {
+    if (document_.file() != running_on_) runner_.cancel();
     tests_->setCurrentIndex(model_.index(0, 0));
     showResult();
   });
@@ -69,7 +70,7 @@ ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, 
   });
   connect(&runner_, &TestRunner::finished, this, [this](const acceptance::RunResult& result) {
     showBusy(false);
-    guarded(this, [&] { store(result); });
+    if (document_.file() == running_on_) guarded(this, [&] { store(result); });
   });
   connect(&runner_, &TestRunner::failed, this, [this](const core::InputError& error) {
     showBusy(false);
@@ -152,7 +153,8 @@ void ResultsPage::run(const std::vector<std::string>& tests) {
   if (runner_.isRunning() || !save_()) return;
   started_at_ = app::signatureOf("").when;
   showBusy(true);
-  runner_.start(document_.file(), tests);
+  running_on_ = document_.file();
+  runner_.start(running_on_, tests);
 }
 
 std::filesystem::path ResultsPage::writeReport(const acceptance::RunResult& result) {

@@ -50,6 +50,7 @@ class ResultsPage final : public QWidget {
   std::function<bool()> save_;
   ResultsModel model_;
   TestRunner runner_;
+  std::filesystem::path running_on_;  ///< a run's verdicts belong to this project, whatever is open when it ends
   std::string started_at_;
   ShownResult shown_;
   std::filesystem::path report_;

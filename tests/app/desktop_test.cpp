@@ -252,6 +252,16 @@ TEST_F(Desktop, ACancelledRunStoresNothing) {
   EXPECT_TRUE(saved().latestRuns().empty());
 }
 
+TEST_F(Desktop, ARunNeverStoresInAProjectThatWasOpenedMeanwhile) {
+  const auto other = folder_ / "other.fidelis";
+  std::filesystem::copy(file(), other);
+  window_->resultsPage().runAll();
+  ASSERT_TRUE(window_->openProject(other));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->resultsPage().runner().isRunning(); }, 120'000));
+  desktop::settle(*window_);
+  EXPECT_TRUE(specs::ProjectStore::open(other).latestRuns().empty());
+}
+
 TEST_F(Desktop, AFileThatIsNoProjectIsRefusedAndTheOldProjectStays) {
   const auto broken = folder_.write("broken.fidelis", "this is no database");
   QString shown;
