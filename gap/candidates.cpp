@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/parallel.h"
-#include "core/physics.h"
 
 namespace gap {
 
@@ -29,17 +28,6 @@ double selfDiscrepancy(const Replay& replay, const World& world, const Evidence&
                          evidence.half);
   }
   return total.sum;
-}
-
-/// Smallest distance of two beams of a layer in azimuth: the sharpest that a sector can be seen.
-double azimuthStep_deg(const Replay& replay) {
-  double step_rad = 0.1;
-  const auto& beams = replay.samples().front().beams;
-  for (std::size_t i = 1; i < beams.size(); ++i) {
-    const double difference = std::abs(beams[i].azimuth_rad - beams[i - 1].azimuth_rad);
-    if (beams[i].layer == beams[i - 1].layer && difference > 1e-6) step_rad = std::min(step_rad, difference);
-  }
-  return step_rad * core::kDegPerRad;
 }
 
 /// Smallest distance of two different measured values: the step of a counter shows in its values.

@@ -108,6 +108,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
   core::parallelFor(setups.size(), 1, [&](std::size_t k, std::size_t) {
     Evidence without = evidence;
     std::erase_if(without.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
+    without.seed += 1 + k;  // other noise each time, or the simulation's own would be missing from the interval
     refits[k] = fit(replay, hypothesis, without, {values}, progress).values;
   });
   const double n = static_cast<double>(setups.size());
@@ -117,7 +118,10 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
     for (const auto& refit : refits) mean += refit[p] / n;
     for (const auto& refit : refits) squares += (refit[p] - mean) * (refit[p] - mean);
     const double error = std::sqrt((n - 1.0) / n * squares);
-    intervals.push_back({values[p] - t * error, values[p] + t * error});
+    // Nothing is seen of a sector's end between two beams.
+    const bool sector_end = hypothesis.parameters[p].name.rfind("azimuth_", 0) == 0;
+    const double reach = std::max(t * error, sector_end ? azimuthStep_deg(replay) / 2.0 : 0.0);
+    intervals.push_back({values[p] - reach, values[p] + reach});
   }
   return intervals;
 }

@@ -26,15 +26,6 @@ std::size_t worstSample(const Replay& replay, const ResidualTable& table) {
   return worst;
 }
 
-double azimuthStep_deg(const std::vector<model::Beam>& beams) {
-  double step = 360.0;
-  for (std::size_t i = 1; i < beams.size(); ++i) {
-    const double difference = std::abs(beams[i].azimuth_rad - beams[i - 1].azimuth_rad) * core::kDegPerRad;
-    if (beams[i].layer == beams[i - 1].layer && difference > 1e-6) step = std::min(step, difference);
-  }
-  return step < 360.0 ? step : 1.0;
-}
-
 }  // namespace
 
 std::vector<ResidualMap> residualMaps(const Replay& replay, const std::vector<ResidualTable>& tables) {
@@ -44,7 +35,7 @@ std::vector<ResidualMap> residualMaps(const Replay& replay, const std::vector<Re
     if (table.excess() < kWorthAMap || replay.samples().front().layout->pooled()) continue;
     const std::size_t worst = worstSample(replay, table);
     const ReplaySample& sample = replay.samples()[worst];
-    ResidualMap map{table.measurand, table.unit, sample.sample->id, azimuthStep_deg(sample.beams), {}};
+    ResidualMap map{table.measurand, table.unit, sample.sample->id, azimuthStep_deg(replay), {}};
     for (const ResidualTable::Row& row : table.rows) {
       if (row.sample != worst) continue;
       const model::Beam& beam = sample.beams[sample.layout->cells()[row.cell].beam];

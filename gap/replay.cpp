@@ -184,4 +184,15 @@ core::Detections Replay::detections(const World& world, std::size_t s, std::uint
   return model::toDetections(fire(world, s, sample.frames, seed), sample.beams, world.model.sensor(sample.sample->sensor));
 }
 
+double azimuthStep_deg(const Replay& replay) {
+  constexpr double kWhole_deg = 360.0;
+  const auto& beams = replay.samples().front().beams;
+  double step_deg = kWhole_deg;
+  for (std::size_t i = 1; i < beams.size(); ++i) {
+    const double difference = std::abs(beams[i].azimuth_rad - beams[i - 1].azimuth_rad) * core::kDegPerRad;
+    if (beams[i].layer == beams[i - 1].layer && difference > 1e-6) step_deg = std::min(step_deg, difference);
+  }
+  return step_deg < kWhole_deg ? step_deg : 1.0;
+}
+
 }  // namespace gap
