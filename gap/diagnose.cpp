@@ -173,7 +173,9 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
 void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed, Diagnosis& diagnosis,
                 core::Progress& progress) {
   constexpr std::size_t kListed = 6;
-  const auto confidences = confidencesOf(decision.singles, split.weak);
+  // Pooled data show no map, so what a cause does to single beams is not seen.
+  const bool pooled = replay.samples().front().layout->pooled();
+  const auto confidences = confidencesOf(decision.singles, split.weak || pooled);
   if (decision.pair) {
     diagnosis.causes = splitPair(*decision.winner);
     for (Cause& cause : diagnosis.causes) cause.confidence = 0.9 * std::clamp(decision.winner->explained, 0.0, 1.0);

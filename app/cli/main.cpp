@@ -47,7 +47,8 @@ std::string hintFor(const CLI::App& program, int count, char** words) {
     if (word.empty() || word[0] == '-') continue;
     if (std::find(names.begin(), names.end(), word) != names.end()) return "";
     const std::string nearest = core::nearestName(word, names);
-    return nearest.empty() ? "" : "Did you mean 'fidelis " + nearest + "'?\n";
+    return "There is no command '" + word + "'." +
+           (nearest.empty() ? "" : " Did you mean 'fidelis " + nearest + "'?") + "\n";
   }
   return "";
 }
