@@ -5,8 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "acceptance/existence.h"
 #include "core/error.h"
+#include "gap/existence.h"
 
 namespace acceptance {
 
@@ -88,15 +88,15 @@ std::map<std::string, double> valuesOf(const Sides& sides, const Distributions& 
   }
   if (distributions.complete()) addMetrics(values, distributions, wanted, options);
 
-  const Frames measured = {sides.measured, sides.measured_frames};
-  const Frames simulated = {sides.simulated.front(), sides.simulated_frames};
-  const ExistenceGap existence = existenceGap(simulated, measured);
+  const gap::Frames measured = {sides.measured, sides.measured_frames};
+  const gap::Frames simulated = {sides.simulated.front(), sides.simulated_frames};
+  const gap::ExistenceGap existence = gap::existenceGap(simulated, measured);
   values["n_real"] = static_cast<double>(sides.measured.size());
   values["n_sim"] = static_cast<double>(sides.simulated.front().size());
   values["frames_real"] = sides.measured_frames;
   values["frames_sim"] = sides.simulated_frames;
-  values["detection_rate_real"] = detectionRate(measured, sides.beams_per_frame);
-  values["detection_rate_sim"] = detectionRate(simulated, sides.beams_per_frame);
+  values["detection_rate_real"] = gap::detectionRate(measured, sides.beams_per_frame);
+  values["detection_rate_sim"] = gap::detectionRate(simulated, sides.beams_per_frame);
   values["missing_fraction"] = existence.missing;
   values["extra_fraction"] = existence.extra;
   return values;

@@ -95,6 +95,20 @@ const std::vector<double>* Detections::values(const std::string& column) const {
   return nullptr;
 }
 
+Detections selected(const Detections& detections, std::span<const std::size_t> indices) {
+  Detections chosen;
+  const auto copy = [&](const auto& from, auto& to) {
+    if (from.empty()) return;  // not recorded
+    to.reserve(indices.size());
+    for (const std::size_t i : indices) to.push_back(from[i]);
+  };
+  for (const Column& column : kColumns) {
+    if (column.real) copy(detections.*column.real, chosen.*column.real);
+    if (column.whole) copy(detections.*column.whole, chosen.*column.whole);
+  }
+  return chosen;
+}
+
 Detections readDetections(const std::filesystem::path& file, const std::map<std::string, std::string>& columns) {
   Detections detections;
   std::optional<Layout> layout;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Detections {
   /// The values of a measurement column ("range_m", "epw_m", "intensity", "azimuth_rad", …), nullptr if not recorded.
   [[nodiscard]] const std::vector<double>* values(const std::string& column) const;
 };
+
+/// The detections of these indices, in their order, as often as they are listed.
+[[nodiscard]] Detections selected(const Detections& detections, std::span<const std::size_t> indices);
 
 /// Reads a measurement CSV (formats.md section 1). `columns` maps our names to the file's ("range_m" -> "Distance").
 /// Unknown further columns are ignored. Throws InputError with line and column: a cell that is no finite number, a

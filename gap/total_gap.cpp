@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/physics.h"
+#include "gap/existence.h"
 #include "metrics/double_validation_metric.h"
 
 namespace gap {
@@ -12,37 +12,15 @@ namespace gap {
 namespace {
 
 constexpr double kExistenceWeight = 100.0;  // formats.md section 6
-constexpr double kCell_deg = 2.0;
-constexpr double kFileRounding = 1e-3;  // of a cell: azimuths in files are rounded, beams often lie on a border
-
-using EchoesByCell = std::map<std::pair<std::int32_t, long>, double>;
-
-EchoesByCell echoesPerFrame(const core::Detections& detections, int frames) {
-  EchoesByCell cells;
-  for (std::size_t i = 0; i < detections.size(); ++i) {
-    const double column_of = detections.azimuth_rad[i] * core::kDegPerRad / kCell_deg;
-    const long column = std::lround(std::floor(column_of + kFileRounding));
-    cells[{detections.layer[i], column}] += 1.0 / frames;
-  }
-  return cells;
-}
-
 void addExistence(TotalGap& gap, const core::Detections& measured, const core::Detections& simulated, int frames) {
-  EchoesByCell difference = echoesPerFrame(simulated, frames);
-  double all = 0.0;
-  for (const auto& [cell, echoes] : difference) all += echoes;
-  for (const auto& [cell, echoes] : echoesPerFrame(measured, frames)) difference[cell] -= echoes;
-  double missing = 0.0, extra = 0.0;
-  for (const auto& [cell, echoes] : difference) (echoes > 0.0 ? missing : extra) += std::abs(echoes);
-  if (all <= 0.0) all = std::max(1e-12, extra);  // nothing simulated: everything measured is extra
-  gap.missing_fraction = missing / all;
-  gap.extra_fraction = extra / all;
+  if (simulated.size() == 0) {
+    gap.extra_fraction = measured.size() > 0 ? 1.0 : 0.0;  // a share of nothing: all that was measured is extra
+  } else {
+    const ExistenceGap existence = existenceGap({simulated, frames}, {measured, frames});
+    gap.missing_fraction = existence.missing;
+    gap.extra_fraction = existence.extra;
+  }
   gap.total += kExistenceWeight * (gap.missing_fraction + gap.extra_fraction);
-}
-
-template <typename T>
-void pick(std::vector<T>& to, const std::vector<T>& from, std::size_t i) {
-  if (!from.empty()) to.push_back(from[i]);
 }
 
 }  // namespace
@@ -93,21 +71,13 @@ core::Detections framesOf(const core::Detections& detections, const std::vector<
     if (frame >= by_frame.size()) by_frame.resize(frame + 1);
     by_frame[frame].push_back(i);
   }
-  core::Detections chosen;
+  std::vector<std::size_t> chosen;
   for (const int frame : frames) {
     if (static_cast<std::size_t>(frame) >= by_frame.size()) continue;
-    for (const std::size_t i : by_frame[static_cast<std::size_t>(frame)]) {
-      pick(chosen.frame, detections.frame, i);
-      pick(chosen.layer, detections.layer, i);
-      pick(chosen.azimuth_rad, detections.azimuth_rad, i);
-      pick(chosen.elevation_rad, detections.elevation_rad, i);
-      pick(chosen.echo, detections.echo, i);
-      pick(chosen.range_m, detections.range_m, i);
-      pick(chosen.epw_m, detections.epw_m, i);
-      pick(chosen.intensity, detections.intensity, i);
-    }
+    const auto& of_frame = by_frame[static_cast<std::size_t>(frame)];
+    chosen.insert(chosen.end(), of_frame.begin(), of_frame.end());
   }
-  return chosen;
+  return core::selected(detections, chosen);
 }
 
 }  // namespace gap

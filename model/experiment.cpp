@@ -295,8 +295,7 @@ std::pair<Vector3, Vector3> localBox(const Shape& shape) {
 core::Detections insideGate(const core::Detections& detections, const Situation& situation, const Gate& gate) {
   const auto object = std::find_if(situation.scene.objects.begin(), situation.scene.objects.end(),
                                    [&](const SceneObject& o) { return o.id == gate.object; });
-  core::Detections inside;
-  if (object == situation.scene.objects.end()) return inside;
+  if (object == situation.scene.objects.end()) return {};
   const auto [low, high] = localBox(object->shape);
   const auto within = [&, low = low, high = high](std::size_t i) {
     const double ce = std::cos(detections.elevation_rad[i]);
@@ -308,22 +307,11 @@ core::Detections insideGate(const core::Detections& detections, const Situation&
     }
     return true;
   };
-  const auto copy = [](auto& to, const auto& from, std::size_t i) {
-    if (!from.empty()) to.push_back(from[i]);
-  };
+  std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < detections.size(); ++i) {
-    if (!detections.hasDirections() || !within(i)) continue;
-    copy(inside.frame, detections.frame, i);
-    copy(inside.time_s, detections.time_s, i);
-    copy(inside.layer, detections.layer, i);
-    copy(inside.azimuth_rad, detections.azimuth_rad, i);
-    copy(inside.elevation_rad, detections.elevation_rad, i);
-    copy(inside.echo, detections.echo, i);
-    copy(inside.range_m, detections.range_m, i);
-    copy(inside.epw_m, detections.epw_m, i);
-    copy(inside.intensity, detections.intensity, i);
+    if (detections.hasDirections() && within(i)) inside.push_back(i);
   }
-  return inside;
+  return core::selected(detections, inside);
 }
 
 std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const Sample& sample) {

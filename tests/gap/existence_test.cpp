@@ -1,11 +1,11 @@
-#include "acceptance/existence.h"
+#include "gap/existence.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/physics.h"
 
-namespace acceptance {
+namespace gap {
 namespace {
 
 struct Echo {
@@ -31,9 +31,9 @@ core::Detections detections(const std::vector<Echo>& echoes) {
 TEST(ExistenceGap, CountsPerCellAndRelatesToAllSimulatedEchoes) {
   const core::Detections simulated = detections({{0, 0, 1.0}, {1, 0, 1.0}, {0, 0, 3.0}, {1, 0, 3.0}});
   const core::Detections measured = detections({{0, 0, 1.0}, {0, 0, 3.0}, {1, 0, 3.0}, {1, 1, 3.0}});
-  const ExistenceGap gap = existenceGap({simulated, 2}, {measured, 2});
-  EXPECT_DOUBLE_EQ(gap.missing, 0.25);
-  EXPECT_DOUBLE_EQ(gap.extra, 0.25);
+  const ExistenceGap found = existenceGap({simulated, 2}, {measured, 2});
+  EXPECT_DOUBLE_EQ(found.missing, 0.25);
+  EXPECT_DOUBLE_EQ(found.extra, 0.25);
 }
 
 TEST(ExistenceGap, OfEqualSidesIsZeroAlsoWithDifferentNumbersOfFrames) {
@@ -48,8 +48,8 @@ TEST(ExistenceGap, IsNotFooledByRoundedAngles) {
   core::Detections exact = detections({{0, 0, -4.0}, {0, 0, 0.0}, {0, 0, 2.0}, {0, 0, 4.0}});
   core::Detections rounded = exact;
   for (double& azimuth : rounded.azimuth_rad) azimuth = std::round(1e6 * azimuth) / 1e6 - 1e-12;
-  const ExistenceGap gap = existenceGap({exact, 1}, {rounded, 1});
-  EXPECT_DOUBLE_EQ(gap.missing + gap.extra, 0.0);
+  const ExistenceGap found = existenceGap({exact, 1}, {rounded, 1});
+  EXPECT_DOUBLE_EQ(found.missing + found.extra, 0.0);
 }
 
 TEST(ExistenceGap, IsUndefinedIfNothingWasSimulated) {
@@ -72,4 +72,4 @@ TEST(DetectionRate, WithoutDirectionsCountsFirstEchoes) {
 }
 
 }  // namespace
-}  // namespace acceptance
+}  // namespace gap

@@ -4,7 +4,7 @@
 
 #include "core/detections.h"
 
-namespace acceptance {
+namespace gap {
 
 /// Detections of a number of repeated frames.
 struct Frames {
@@ -25,4 +25,4 @@ struct ExistenceGap {
 /// Share of the fired beams that gave at least one echo. Without recorded directions first echoes are counted.
 [[nodiscard]] double detectionRate(const Frames& frames, std::size_t beams_per_frame);
 
-}  // namespace acceptance
+}  // namespace gap

@@ -1,4 +1,4 @@
-#include "acceptance/existence.h"
+#include "gap/existence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "core/physics.h"
 
-namespace acceptance {
+namespace gap {
 
 namespace {
 
@@ -70,4 +70,4 @@ double detectionRate(const Frames& frames, std::size_t beams_per_frame) {
   return static_cast<double>(std::unique(beams.begin(), beams.end()) - beams.begin()) / fired;
 }
 
-}  // namespace acceptance
+}  // namespace gap
