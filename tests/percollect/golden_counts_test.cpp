@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <chrono>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <optional>
@@ -69,9 +68,7 @@ class Releases : public testing::TestWithParam<Golden> {};
 TEST_P(Releases, HaveTheDocumentedCounts) {
   FIDELIS_NEEDS_SHARED(shared);
   const Golden& golden = GetParam();
-  const auto begin = std::chrono::steady_clock::now();
   const Graph graph = readGraph(shared / "data/percollect" / golden.release).graph;
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
   const GraphCounts counts = countGraph(graph);
   EXPECT_EQ(graph.tree(), golden.tree);
   EXPECT_EQ(counts.nodes, golden.nodes);
