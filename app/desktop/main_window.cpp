@@ -43,7 +43,9 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
   projectChanged();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  delete stack_;  // the pages refer to document_, a member; as children they would outlive it
+}
 
 void MainWindow::makeTabs() {
   tabs_->setObjectName("tabs");
