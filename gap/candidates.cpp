@@ -17,24 +17,11 @@ constexpr int kNullRuns = 6;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPairLeaders = 4;
 
-/// Discrepancy of a simulation to another simulation with other noise, as if that had been measured.
-double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence, std::uint64_t seed) {
-  Discrepancy total;
-  for (const std::size_t s : evidence.samples) {
-    const int measured_frames = replay.samples()[s].frames;
-    const int frames = std::min(evidence.most_frames, std::max(3, measured_frames));
-    const auto measured = replay.simulate(world, s, measured_frames, seed);
-    total += discrepancy(replay, s, measured, measured_frames, replay.simulate(world, s, frames, evidence.seed), frames,
-                         evidence.half);
-  }
-  return total.sum;
-}
-
-/// Smallest distance of two different measured values: the step of a counter shows in its values.
-double smallestStep(const Replay& replay, Channel channel) {
+/// Smallest distance of two different measured ranges: the step of a counter shows in its values.
+double smallestRangeStep_m(const Replay& replay) {
   double step = std::numeric_limits<double>::infinity();
   for (const ReplaySample& sample : replay.samples()) {
-    std::vector<double> values = channel == kEpw ? sample.measured.epw_m : sample.measured.range_m;
+    std::vector<double> values = sample.measured.range_m;
     std::sort(values.begin(), values.end());
     for (std::size_t i = 1; i < values.size(); ++i) {
       if (values[i] - values[i - 1] > 1e-6) step = std::min(step, values[i] - values[i - 1]);
@@ -49,7 +36,7 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   const double half_deg = azimuthStep_deg(replay) / 2.0;
   std::vector<std::vector<double>> starts;
   for (const FreeParameter& parameter : hypothesis.parameters) {
-    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m") starts.push_back({smallestStep(replay, kRange)});
+    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m") starts.push_back({smallestRangeStep_m(replay)});
   }
   for (const WhereRow& row : where) {
     if (row.covariate != "azimuth_deg" || starts.size() >= 12) continue;
@@ -77,19 +64,11 @@ Candidate judged(const Replay& replay, const Split& split, const Yardstick& yard
                  const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
   Candidate candidate;
   candidate.hypothesis = hypothesis;
-  if (hypothesis.per_setup) {
-    // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
-    Evidence fitted = split.fitted;
-    fitted.samples.insert(fitted.samples.end(), split.held_out.samples.begin(), split.held_out.samples.end());
-    std::sort(fitted.samples.begin(), fitted.samples.end());
-    fitted.samples.erase(std::unique(fitted.samples.begin(), fitted.samples.end()), fitted.samples.end());
-    fitted.half = Half::kEven;
-    candidate.values = fit(replay, hypothesis, fitted, starts, progress).values;
-  } else {
-    candidate.values = fit(replay, hypothesis, split.fitted, starts, progress).values;
-  }
+  // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+  const Evidence fitted = hypothesis.per_setup ? splitByBeams(replay, split.fitted.seed).fitted : split.fitted;
+  candidate.values = fit(replay, hypothesis, fitted, starts, progress);
   const World world = worldOf(replay, hypothesis, candidate.values);
-  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out).sum,
+  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out),
                                             selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
   return candidate;
 }
@@ -145,7 +124,7 @@ Split splitByBeams(const Replay& replay, std::uint64_t seed) {
 Yardstick yardstickOf(const Replay& replay, const Split& split) {
   Yardstick yardstick;
   const World& world = replay.baseline();
-  yardstick.baseline = discrepancyOf(replay, world, split.held_out).sum;
+  yardstick.baseline = discrepancyOf(replay, world, split.held_out);
   std::vector<double> runs(kNullRuns);
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
     runs[begin] = selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 1000 + begin);

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/parallel.h"
 #include "gap/candidates.h"
 #include "gap/diagnosis.h"
 #include "gap/how_far.h"
@@ -144,7 +142,6 @@ struct Decision {
   std::optional<Candidate> winner;
   bool pair = false;
   std::vector<Candidate> singles;
-  std::vector<Candidate> pairs;
 };
 
 Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick, const std::vector<WhereRow>& where,
@@ -153,15 +150,16 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, options.library), where, first);
   const Candidate& best = decision.singles.front();
+  std::vector<Candidate> pairs;
   if (best.explained < kLooksFurther && best.explained > 0.2) {
-    decision.pairs = rankPairs(replay, split, yardstick, decision.singles, second);
+    pairs = rankPairs(replay, split, yardstick, decision.singles, second);
   }
-  const bool pair_wins = !decision.pairs.empty() && decision.pairs.front().explained >= kExplains &&
-                         1.0 - decision.pairs.front().explained < kPairGain * (1.0 - best.explained) &&
-                         decision.pairs.front().explained > best.explained + 0.05;
+  const bool pair_wins = !pairs.empty() && pairs.front().explained >= kExplains &&
+                         1.0 - pairs.front().explained < kPairGain * (1.0 - best.explained) &&
+                         pairs.front().explained > best.explained + 0.05;
   if (pair_wins) {
     decision.pair = true;
-    decision.winner = decision.pairs.front();
+    decision.winner = pairs.front();
     decision.kind = VerdictKind::kEffect;
   } else if (best.explained >= kExplains) {
     decision.winner = best;
@@ -170,8 +168,8 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
   return decision;
 }
 
-void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed, Diagnosis& diagnosis,
-                core::Progress& progress) {
+/// The causes that are listed, the verdict's first.
+void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed, Diagnosis& diagnosis) {
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = replay.samples().front().layout->pooled();
@@ -189,16 +187,17 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
     listed.push_back(candidate.hypothesis.name);
     diagnosis.causes.push_back(toCause(candidate));
     diagnosis.causes.back().confidence = decision.pair ? 0.05 * confidences[i] : confidences[i];
-    const double shrink =
-        shrinkOn(replay, worldOf(replay, candidate.hypothesis, candidate.values), split.held_out.samples, seed);
+    const bool is_winner = decision.winner && !decision.pair && i == 0;  // gets its shrink with the interval
+    if (is_winner) continue;
+    const double shrink = shrinkOn(replay, worldOf(replay, candidate.hypothesis, candidate.values),
+                                   split.held_out.samples, diagnosis.before.total, seed);
     diagnosis.causes.back().shrink = {shrink, {shrink, shrink}};
   }
-  progress.report(0.86, "measuring how far the gap shrinks");
-  const World after = decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
-  const BeforeAfter far = howFar(replay, after, split.held_out.samples, seed, progress);
-  diagnosis.before = far.before;
-  diagnosis.bias_intervals = far.bias_intervals;
-  if (!decision.winner) return;
+}
+
+/// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.
+void fillWinner(const Replay& replay, const Split& split, const Decision& decision, const World& after,
+                const BeforeAfter& far, Diagnosis& diagnosis, core::Progress& progress) {
   diagnosis.after = far.after;
   diagnosis.shrink = far.shrink;
   progress.report(0.92, "intervals of the parameters");
@@ -234,7 +233,7 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const int frames = std::min(8, std::max(3, replay.samples()[s].frames));
     const double difference = discrepancy(replay, s, replay.simulate(a, s, frames, split.fitted.seed), frames,
-                                          replay.simulate(b, s, frames, split.fitted.seed), frames).sum;
+                                          replay.simulate(b, s, frames, split.fitted.seed), frames);
     if (difference > largest) {
       largest = difference;
       best = s;
@@ -300,8 +299,13 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   } else {
     diagnosis.verdict.kind = VerdictKind::kNone;
   }
-  fillCauses(replay, split, decision, seed, diagnosis, progress);
+  progress.report(0.86, "measuring how far the gap shrinks");
   const World after = decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
+  const BeforeAfter far = howFar(replay, after, split.held_out.samples, seed, progress);
+  diagnosis.before = far.before;
+  diagnosis.bias_intervals = far.bias_intervals;
+  fillCauses(replay, split, decision, seed, diagnosis);
+  if (decision.winner) fillWinner(replay, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
   diagnosis.curves = beforeAfterValues(replay, where.tables, split.held_out.samples,
                                        decision.winner ? &after : nullptr, seed);

@@ -65,7 +65,7 @@ double rateTerm(double measured, int measured_frames, double simulated, int simu
 
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
 void addRates(const std::vector<std::size_t>& cells, const std::vector<CellStatistics>& measured, int measured_frames,
-              const std::vector<CellStatistics>& simulated, int simulated_frames, Discrepancy& result) {
+              const std::vector<CellStatistics>& simulated, int simulated_frames, double& result) {
   const std::size_t groups = std::min(kGroups, cells.size());
   for (std::size_t g = 0; g < groups; ++g) {
     const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
@@ -79,15 +79,14 @@ void addRates(const std::vector<std::size_t>& cells, const std::vector<CellStati
     const double variance = std::max(rate * (1.0 - rate), 0.02 * rate) / size;
     const double error = variance / measured_frames + variance / simulated_frames + kGroupRateFloor * kGroupRateFloor;
     const double weight = std::sqrt(size);
-    result.sum += weight * rho((m - s) / std::sqrt(error));
-    result.terms += weight;
+    result += weight * rho((m - s) / std::sqrt(error));
   }
 }
 
 /// Spread within cells, pooled over groups of cells of like predicted power.
 void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
                const std::vector<CellStatistics>& measured, const std::vector<CellStatistics>& simulated,
-               Discrepancy& result) {
+               double& result) {
   const double prior = priorVariance(replay, sample, channel);
   const std::size_t groups = std::min(kGroups, cells.size());
   for (std::size_t g = 0; g < groups; ++g) {
@@ -106,8 +105,7 @@ void addSpread(const Replay& replay, const ReplaySample& sample, const std::vect
                      std::sqrt(2.0 / dof_m + 2.0 / dof_s + kSpreadFloor * kSpreadFloor);
     // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
     const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups));
-    result.sum += weight * rho(z);
-    result.terms += weight;
+    result += weight * rho(z);
   }
 }
 
@@ -119,12 +117,12 @@ double meanError(const Replay& replay, Channel channel, const CellStatistics& a,
   return std::sqrt(variance / a.count + variance / b.count + squaredFloor(replay, channel, b.mean(channel)));
 }
 
-Discrepancy discrepancy(const Replay& replay, std::size_t index, const std::vector<CellStatistics>& measured,
+double discrepancy(const Replay& replay, std::size_t index, const std::vector<CellStatistics>& measured,
                         int measured_frames, const std::vector<CellStatistics>& simulated, int simulated_frames,
                         Half half) {
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
-  Discrepancy result;
+  double result = 0.0;
   std::vector<std::size_t> surfaces, extra;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!takesPart(sample, cells[c], half)) continue;
@@ -132,21 +130,18 @@ Discrepancy discrepancy(const Replay& replay, std::size_t index, const std::vect
     if (c >= sample.layout->surfaces()) extra.push_back(c);
     if (m.count == 0.0 && s.count == 0.0) continue;
     if (!sample.layout->pooled()) {
-      result.sum += rateTerm(m.count, measured_frames, s.count, simulated_frames);
-      result.terms += 1.0;
+      result += rateTerm(m.count, measured_frames, s.count, simulated_frames);
     }
     if (c >= sample.layout->surfaces()) continue;
     surfaces.push_back(c);
     if (m.count == 0.0 || s.count == 0.0) {
       // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
       const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
-      result.sum += static_cast<double>(replay.channels().size()) * rho(kLostCell * std::max(0.0, rate - kOftenDetected));
-      result.terms += static_cast<double>(replay.channels().size());
+      result += static_cast<double>(replay.channels().size()) * rho(kLostCell * std::max(0.0, rate - kOftenDetected));
       continue;
     }
     for (const Channel channel : replay.channels()) {
-      result.sum += meanTerm(replay, sample, channel, m, s);
-      result.terms += 1.0;
+      result += meanTerm(replay, sample, channel, m, s);
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {

@@ -7,6 +7,9 @@
 
 namespace gap {
 
+/// Which cells of a sample take part: all, or those of every second beam column (to hold the rest out).
+enum class Half { kAll, kEven, kOdd };
+
 /// How far a simulation is from the measurement, as a sum over cells of robust standardised differences
 ///
 ///   ρ(z) = sqrt(1 + z²) - 1
@@ -15,25 +18,10 @@ namespace gap {
 /// the detections per frame and the spread. Quadratic near zero, linear far out, so that a few badly sampled edge beams decide nothing. z is the
 /// difference over its standard error, which holds a floor: differences below a fraction of a resolution step are not
 /// worth explaining.
-struct Discrepancy {
-  double sum = 0.0;
-  double terms = 0.0;
-
-  Discrepancy& operator+=(const Discrepancy& other) {
-    sum += other.sum;
-    terms += other.terms;
-    return *this;
-  }
-};
-
-/// Which cells of a sample take part: all, or those of every second beam column (to hold the rest out).
-enum class Half { kAll, kEven, kOdd };
-
-/// The discrepancy of one sample between its measurement (or `measured` in its place) and simulated statistics.
-[[nodiscard]] Discrepancy discrepancy(const Replay& replay, std::size_t sample,
-                                      const std::vector<CellStatistics>& measured, int measured_frames,
-                                      const std::vector<CellStatistics>& simulated, int simulated_frames,
-                                      Half half = Half::kAll);
+/// Of one sample, between its measurement (or `measured` in its place) and simulated statistics.
+[[nodiscard]] double discrepancy(const Replay& replay, std::size_t sample, const std::vector<CellStatistics>& measured,
+                                 int measured_frames, const std::vector<CellStatistics>& simulated,
+                                 int simulated_frames, Half half = Half::kAll);
 
 /// Standard error of the difference of two cell means, floor included. [unit of the channel]
 [[nodiscard]] double meanError(const Replay& replay, Channel channel, const CellStatistics& a, const CellStatistics& b);

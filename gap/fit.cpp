@@ -90,7 +90,7 @@ class Objective {
   }
   [[nodiscard]] double operator()(const std::vector<double>& unit) const {
     core::stopIfCancelled(progress_);
-    return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_).sum;
+    return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_);
   }
   [[nodiscard]] Objective on(const Evidence& evidence) const { return {replay_, hypothesis_, evidence, progress_}; }
   /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
@@ -182,9 +182,9 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
   return start;
 }
 
-Fit fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                const core::Progress& progress) {
-  Fit result;
+std::vector<double> fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                const core::Progress& progress) {
+  std::vector<double> values;
   for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
     Evidence own = evidence;
     own.samples.clear();
@@ -192,21 +192,25 @@ Fit fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Eviden
       if (replay.samples()[s].sample->setup == hypothesis.parameters[i].name) own.samples.push_back(s);
     }
     if (own.samples.empty()) {
-      result.values.push_back(0.0);
+      values.push_back(0.0);
       continue;
     }
     Hypothesis single = hypothesis;
     single.per_setup = false;
     single.parameters = {hypothesis.parameters[i]};
-    single.apply = [&hypothesis, i](World& world, const std::vector<double>& values) {
+    single.apply = [&hypothesis, i](World& world, const std::vector<double>& value) {
       std::vector<double> all(hypothesis.parameters.size(), 0.0);
-      all[i] = values[0];
+      all[i] = value[0];
       hypothesis.apply(world, all);
     };
-    result.values.push_back(fit(replay, single, own, {}, progress).values[0]);
+    values.push_back(fit(replay, single, own, {}, progress)[0]);
   }
-  result.discrepancy = discrepancyOf(replay, worldOf(replay, hypothesis, result.values), evidence);
-  return result;
+  return values;
+}
+
+/// How many frames are simulated of a sample.
+int simulatedFrames(const Evidence& evidence, const ReplaySample& sample) {
+  return std::min(evidence.most_frames, std::max(3, sample.frames));
 }
 
 }  // namespace
@@ -217,34 +221,41 @@ World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vec
   return world;
 }
 
-Discrepancy discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
-  Discrepancy total;
+double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
+  double total = 0.0;
   for (const std::size_t s : evidence.samples) {
     const ReplaySample& sample = replay.samples()[s];
-    const int frames = std::min(evidence.most_frames, std::max(3, sample.frames));
+    const int frames = simulatedFrames(evidence, sample);
     total += discrepancy(replay, s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed),
                          frames, evidence.half);
   }
   return total;
 }
 
-Fit fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-        const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence, std::uint64_t seed) {
+  double total = 0.0;
+  for (const std::size_t s : evidence.samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const int frames = simulatedFrames(evidence, sample);
+    total += discrepancy(replay, s, replay.simulate(world, s, sample.frames, seed), sample.frames,
+                         replay.simulate(world, s, frames, evidence.seed), frames, evidence.half);
+  }
+  return total;
+}
+
+std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                        const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
   if (hypothesis.per_setup) return fitPerSetup(replay, hypothesis, evidence, progress);
   const Objective objective(replay, hypothesis, evidence, progress);
-  Fit result;
-  if (objective.dimensions() > 0) {
-    std::vector<std::vector<double>> all = starts;
-    std::vector<double> typical;
-    for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
-    all.push_back(typical);
-    std::vector<double> best = coarseSearch(objective, all);
-    const auto refined = objective.dimensions() == 1 ? refineOne(objective, best[0]) : refineSeveral(objective, best);
-    if (objective(refined) < objective(best)) best = refined;  // a rugged objective may lead the refinement astray
-    result.values = objective.valuesAt(best);
-  }
-  result.discrepancy = discrepancyOf(replay, worldOf(replay, hypothesis, result.values), evidence);
-  return result;
+  if (objective.dimensions() == 0) return {};
+  std::vector<std::vector<double>> all = starts;
+  std::vector<double> typical;
+  for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
+  all.push_back(typical);
+  const std::vector<double> coarse = coarseSearch(objective, all);
+  const auto refined = objective.dimensions() == 1 ? refineOne(objective, coarse[0]) : refineSeveral(objective, coarse);
+  // A rugged objective may lead the refinement astray.
+  return objective.valuesAt(objective(refined) < objective(coarse) ? refined : coarse);
 }
 
 }  // namespace gap

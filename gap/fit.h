@@ -16,13 +16,12 @@ struct Evidence {
   std::uint64_t seed = 1;
 };
 
-struct Fit {
-  std::vector<double> values;  ///< of the hypothesis' parameters
-  Discrepancy discrepancy;     ///< on the evidence it was fitted to
-};
-
 /// Discrepancy of a world on some evidence.
-[[nodiscard]] Discrepancy discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
+[[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
+
+/// Discrepancy of a world to itself under the noise of another seed, as if that had been measured.
+[[nodiscard]] double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence,
+                                     std::uint64_t seed);
 
 /// The world in which a hypothesis holds with these values.
 [[nodiscard]] World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);
@@ -30,7 +29,7 @@ struct Fit {
 /// Finds the parameter values with the smallest discrepancy: a coarse search over the plausible range (and the starts
 /// given), then a bounded derivative-free refinement (NLopt: Subplex; one parameter: Brent). Parameters per set-up are
 /// fitted one by one. Deterministic. The random numbers are the same for all values and hypotheses.
-[[nodiscard]] Fit fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                      const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+[[nodiscard]] std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                      const std::vector<std::vector<double>>& starts, const core::Progress& progress);
 
 }  // namespace gap

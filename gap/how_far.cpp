@@ -39,15 +39,14 @@ double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after
 
 }  // namespace
 
-double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out, std::uint64_t seed) {
-  std::vector<TotalGap> before, then;
+double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out, double total_before,
+                std::uint64_t seed) {
+  std::vector<TotalGap> then;
   for (const std::size_t s : held_out) {
     const ReplaySample& sample = replay.samples()[s];
-    const auto& measurands = replay.experiment().measurands;
-    before.push_back(totalGap(measurands, sample.measured, replay.detections(replay.baseline(), s, seed), sample.frames));
-    then.push_back(totalGap(measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
+    then.push_back(totalGap(replay.experiment().measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
   }
-  return shrinkOf(meanOf(before).total, meanOf(then).total);
+  return shrinkOf(total_before, meanOf(then).total);
 }
 
 BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
@@ -97,11 +96,7 @@ BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<s
 std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,
                                          const std::vector<double>& values, const Evidence& evidence,
                                          const core::Progress& progress) {
-  std::vector<std::string> setups;
-  for (const std::size_t s : evidence.samples) {
-    const std::string& setup = replay.samples()[s].sample->setup;
-    if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
-  }
+  const std::vector<std::string> setups = setupsOf(replay, evidence.samples);
   std::vector<Interval> intervals;
   if (setups.size() < 2 || hypothesis.per_setup) return intervals;
   std::vector<std::vector<double>> refits(setups.size());
@@ -109,7 +104,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
     Evidence without = evidence;
     std::erase_if(without.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
     without.seed += 1 + k;  // other noise each time, or the simulation's own would be missing from the interval
-    refits[k] = fit(replay, hypothesis, without, {values}, progress).values;
+    refits[k] = fit(replay, hypothesis, without, {values}, progress);
   });
   const double n = static_cast<double>(setups.size());
   const double t = boost::math::quantile(boost::math::students_t(n - 1.0), 0.975);

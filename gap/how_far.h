@@ -7,9 +7,9 @@
 
 namespace gap {
 
-/// Shrink of the total gap on held-out samples, without its interval.
+/// Shrink of the total gap on held-out samples from what it was before, without its interval.
 [[nodiscard]] double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
-                              std::uint64_t seed);
+                              double total_before, std::uint64_t seed);
 
 /// The gap on the held-out samples before and after, with a bootstrap over samples (set-ups) and their frames.
 struct BeforeAfter {

@@ -1,11 +1,12 @@
 #include "gap/hypotheses.h"
 
-#include "gap/discrepancy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+
+#include "gap/discrepancy.h"
 
 namespace gap {
 
@@ -21,7 +22,6 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.variant = variant;
   hypothesis.percollect = info.percollect;
   hypothesis.decomposition_block = model::toString(info.stage);
-  hypothesis.moves_geometry = info.moves_geometry;
   for (const std::string& name : fitted) {
     for (const model::ParameterInfo& p : info.parameters) {
       if (p.name != name) continue;
@@ -167,10 +167,9 @@ void addMaterials(const model::Scene& scene, const std::set<std::int32_t>& objec
 void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list) {
   constexpr std::size_t kMostObjects = 8;  // more of them would cost minutes and teach nothing
   std::size_t count = 0;
-  std::vector<std::string> setups;
-  for (const ReplaySample& sample : replay.samples()) {
-    if (std::find(setups.begin(), setups.end(), sample.sample->setup) == setups.end()) setups.push_back(sample.sample->setup);
-  }
+  std::vector<std::size_t> everything(replay.samples().size());
+  std::iota(everything.begin(), everything.end(), std::size_t{0});
+  const std::vector<std::string> setups = setupsOf(replay, everything);
   for (const std::int32_t index : objects) {
     if (++count > kMostObjects) break;
     const auto& pose = replay.experiment().json["scene"][static_cast<std::size_t>(index)]["pose"];
@@ -180,7 +179,6 @@ void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, 
       Hypothesis constant;
       constant.kind = CauseKind::kReference;
       constant.name = pointer;
-      constant.moves_geometry = true;
       constant.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
       constant.apply = [pointer](World& world, const std::vector<double>& values) {
         world.references.push_back({pointer, values[0], {}});
@@ -204,7 +202,6 @@ void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, 
     Hypothesis yaw;
     yaw.kind = CauseKind::kReference;
     yaw.name = pointer;
-    yaw.moves_geometry = true;
     yaw.parameters = {{"offset", "deg", -15.0, 15.0, false, 0.0}};
     yaw.apply = [pointer](World& world, const std::vector<double>& values) {
       world.references.push_back({pointer, values[0], {}});
@@ -240,7 +237,6 @@ Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
   both.name = a.name + " + " + b.name;
   both.variant = a.variant.empty() ? b.variant : b.variant.empty() ? a.variant : a.variant + ", " + b.variant;
   both.parameters.insert(both.parameters.end(), b.parameters.begin(), b.parameters.end());
-  both.moves_geometry = a.moves_geometry || b.moves_geometry;
   both.members = {a, b};
   const std::size_t split = a.parameters.size();
   both.apply = [first = a.apply, second = b.apply, split](World& world, const std::vector<double>& values) {

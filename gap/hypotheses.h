@@ -31,7 +31,6 @@ struct Hypothesis {
   std::vector<std::string> percollect;  ///< graph nodes that the cause stands for
   std::string decomposition_block;
   bool per_setup = false;               ///< one parameter a set-up, named after it
-  bool moves_geometry = false;
   std::vector<Hypothesis> members;      ///< of a pair, in the order of its parameters; empty for a single cause
 };
 

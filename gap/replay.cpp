@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
 #include "core/physics.h"
 
 namespace gap {
@@ -121,9 +120,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
 Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const model::Sample& sample = *samples_[s].sample;
   auto traced = std::make_shared<model::TracedSample>();
-  World bare = world;  // materials are no geometry: whoever shares the hits brings its own
-  bare.reflectivity.clear();
-  traced->situation = situationIn(bare, experiment_, sample);
+  traced->situation = situationIn(world, experiment_, sample);
   const model::SensorProfile& sensor = world.model.sensor(sample.sensor);
   const model::SignalChain chain(sensor, world.model.effects, traced->situation.environment);
   const model::ChainSettings& settings = chain.settings();
@@ -182,6 +179,15 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
 core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {
   const ReplaySample& sample = samples_[s];
   return model::toDetections(fire(world, s, sample.frames, seed), sample.beams, world.model.sensor(sample.sample->sensor));
+}
+
+std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {
+  std::vector<std::string> setups;
+  for (const std::size_t s : samples) {
+    const std::string& setup = replay.samples()[s].sample->setup;
+    if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
+  }
+  return setups;
 }
 
 double azimuthStep_deg(const Replay& replay) {

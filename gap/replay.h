@@ -61,6 +61,9 @@ class Replay {
   mutable std::unordered_map<std::string, Geometry> traced_;
 };
 
+/// The set-ups of some samples, each once, in the order of the samples.
+[[nodiscard]] std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples);
+
 /// Smallest distance of two neighbouring beams of a layer in azimuth, over the first sample; 1 if there is none.
 [[nodiscard]] double azimuthStep_deg(const Replay& replay);
 

@@ -1,6 +1,5 @@
 #include "gap/world.h"
 
-#include "core/error.h"
 #include "core/text.h"
 
 namespace gap {
@@ -35,12 +34,7 @@ model::Situation situationIn(const World& world, const model::Experiment& experi
     moved.epistemic.push_back({reference.pointer, 0.0, 0.0});
     offsets.push_back(reference.of(sample.setup));
   }
-  model::Situation situation = model::situationOf(experiment, moved, offsets);
-  for (model::Material& material : situation.scene.materials) {
-    const auto found = world.reflectivity.find(material.name);
-    if (found != world.reflectivity.end()) material.reflectivity = found->second;
-  }
-  return situation;
+  return model::situationOf(experiment, moved, offsets);
 }
 
 }  // namespace gap

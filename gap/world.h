@@ -29,7 +29,8 @@ struct World {
 /// Geometry depends on these only; two worlds with the same text share their hits.
 [[nodiscard]] std::string geometryKey(const World& world, const model::Sample& sample);
 
-/// The situation of a sample in this world.
+/// The situation of a sample in this world, but for its materials: they are no geometry, so whoever shares the traced
+/// hits brings its own.
 [[nodiscard]] model::Situation situationIn(const World& world, const model::Experiment& experiment,
                                            const model::Sample& sample);
 
