@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/random.h"
-#include "metrics/double_validation_metric.h"
-#include "metrics/largest_area_metric.h"
-#include "metrics/wasserstein.h"
+#include "metrics/area/double_validation_metric.h"
+#include "metrics/area/largest_area_metric.h"
+#include "metrics/samples/wasserstein.h"
 
 namespace {
 

@@ -32,6 +32,13 @@ function(house_library name)
   target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} house_warnings)
 endfunction()
 
+# house_room(LIBRARY SOURCES … HEADERS …): a folder inside a library's folder, with a list of its own.
+function(house_room library)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;HEADERS")
+  target_sources(${library} PRIVATE ${arg_SOURCES})
+  target_sources(${library} PUBLIC FILE_SET HEADERS FILES ${arg_HEADERS})
+endfunction()
+
 # house_test(NAME SOURCES a_test.cpp … LINK targets …): one GoogleTest program per folder.
 function(house_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")

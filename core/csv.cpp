@@ -1,11 +1,10 @@
 #include "core/csv.h"
 
-#include <csv.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <csv.h>
 #include <exception>
+#include <fmt/format.h>
 #include <memory>
 #include <set>
 
@@ -32,9 +31,9 @@ struct Run {
   Collector collector;
   std::vector<std::string_view> fields;
   const std::function<void(int, std::span<const std::string_view>)>* record = nullptr;
-  int line = 1;            // line of the next record
-  int record_breaks = 0;   // line breaks inside the fields of this record
-  int terminator = 0;      // of the record before
+  int line = 1;           // line of the next record
+  int record_breaks = 0;  // line breaks inside the fields of this record
+  int terminator = 0;     // of the record before
   std::exception_ptr error;
 
   void endOfRecord() {
@@ -71,8 +70,8 @@ void onRecord(int terminator, void* run) {
 
 }  // namespace
 
-void eachCsvRecord(std::string_view text,
-                   const std::function<void(int, std::span<const std::string_view>)>& record, char delimiter) {
+void eachCsvRecord(std::string_view text, const std::function<void(int, std::span<const std::string_view>)>& record,
+                   char delimiter) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
   csv_parser parser{};
   csv_init(&parser, CSV_REPALL_NL | CSV_APPEND_NULL);

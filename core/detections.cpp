@@ -1,9 +1,8 @@
 #include "core/detections.h"
 
+#include <cmath>
 #include <fmt/compile.h>
 #include <fmt/format.h>
-
-#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -68,8 +67,7 @@ Layout layoutOf(const std::filesystem::path& file, const std::map<std::string, s
   if (!layout.has("range_m")) (void)header.column("range_m");  // throws with the nearest name
   const int directions = layout.has("layer") + layout.has("azimuth_rad") + layout.has("elevation_rad");
   if (directions == 1 || directions == 2) {
-    throw InputError({.file = file, .line = 1},
-                     "has only some of the columns layer, azimuth_rad and elevation_rad.",
+    throw InputError({.file = file, .line = 1}, "has only some of the columns layer, azimuth_rad and elevation_rad.",
                      "Give all three (directions recorded) or none (directions not recorded).");
   }
   return layout;
@@ -122,8 +120,9 @@ Detections readDetections(const std::filesystem::path& file, const std::map<std:
       double value = 0.0;
       if (entry.index >= fields.size() || !parseNumber(fields[entry.index], value) || !std::isfinite(value)) {
         throw InputError({.file = file, .line = line, .item = "column '" + entry.name + "'"},
-                         entry.index >= fields.size() ? std::string("the cell is missing.")
-                                                      : fmt::format("'{}' is not a finite number.", fields[entry.index]),
+                         entry.index >= fields.size()
+                             ? std::string("the cell is missing.")
+                             : fmt::format("'{}' is not a finite number.", fields[entry.index]),
                          "Correct the cell or remove the row.");
       }
       if (entry.column->whole) {

@@ -1,17 +1,16 @@
 #include "core/file.h"
 
-#include <fcntl.h>
-#include <openssl/evp.h>
-#include <unistd.h>
-#include <zlib.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <memory>
+#include <openssl/evp.h>
 #include <sstream>
+#include <unistd.h>
+#include <zlib.h>
 
 #include "core/error.h"
 
@@ -21,9 +20,7 @@ namespace {
 
 constexpr std::size_t kChunk = 1 << 16;
 
-bool isGzip(std::string_view content) {
-  return content.size() >= 2 && content[0] == '\x1f' && content[1] == '\x8b';
-}
+bool isGzip(std::string_view content) { return content.size() >= 2 && content[0] == '\x1f' && content[1] == '\x8b'; }
 
 std::string inflated(const std::filesystem::path& file, std::string_view content) {
   z_stream stream{};
@@ -41,8 +38,7 @@ std::string inflated(const std::filesystem::path& file, std::string_view content
     if (code == Z_STREAM_END && stream.avail_in > 0 && inflateReset(&stream) == Z_OK) continue;  // next member
     if (code == Z_STREAM_END) return text;
     if (code != Z_OK || (stream.avail_in == 0 && stream.avail_out > 0)) {
-      throw InputError({.file = file}, "the gzip data are damaged or cut off.",
-                       "Copy or export the file again.");
+      throw InputError({.file = file}, "the gzip data are damaged or cut off.", "Copy or export the file again.");
     }
   }
 }

@@ -1,11 +1,10 @@
 #include "core/parallel.h"
 
+#include <algorithm>
+#include <memory>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <memory>
 
 namespace core {
 

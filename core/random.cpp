@@ -1,7 +1,6 @@
 #include "core/random.h"
 
 #include <Random123/philox.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -11,9 +10,8 @@ void Random::refill() {
   r123::Philox4x32 philox;
   // 64 bits of key carry the seed; the counter carries what tells the streams apart. `purpose` and `sample` share
   // nothing with the block index, so no stream can run into another within 2^32 blocks.
-  const r123::Philox4x32::ukey_type key = {
-      {static_cast<std::uint32_t>(key_.seed) ^ (key_.purpose * 0x9E3779B9u),
-       static_cast<std::uint32_t>(key_.seed >> 32) + key_.sample}};
+  const r123::Philox4x32::ukey_type key = {{static_cast<std::uint32_t>(key_.seed) ^ (key_.purpose * 0x9E3779B9u),
+                                            static_cast<std::uint32_t>(key_.seed >> 32) + key_.sample}};
   const r123::Philox4x32::ctr_type counter = {{block_, key_.frame, key_.beam, key_.purpose}};
   const auto words = philox(counter, key);
   for (int i = 0; i < 4; ++i) words_[i] = words[static_cast<std::size_t>(i)];

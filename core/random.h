@@ -12,7 +12,7 @@ class Random {
   /// What a number is for. Streams of different purposes are independent.
   struct Key {
     std::uint64_t seed = 0;
-    std::uint32_t sample = 0;   ///< sample, or any other outer index
+    std::uint32_t sample = 0;  ///< sample, or any other outer index
     std::uint32_t frame = 0;
     std::uint32_t beam = 0;
     std::uint32_t purpose = 0;  ///< e.g. hash of an effect's name; see purposeOf
@@ -20,11 +20,11 @@ class Random {
 
   explicit Random(Key key) : key_(key) {}
 
-  double uniform();   ///< in (0, 1), 32 bits
-  double normal();    ///< mean 0, standard deviation 1 (Box–Muller)
-  double gamma(double shape);             ///< mean `shape`, unit scale; shape > 0 (Marsaglia & Tsang 2000)
-  std::uint32_t poisson(double mean);     ///< inversion for small means, normal approximation above 60
-  std::uint32_t below(std::uint32_t n);   ///< 0 … n-1
+  double uniform();                      ///< in (0, 1), 32 bits
+  double normal();                       ///< mean 0, standard deviation 1 (Box–Muller)
+  double gamma(double shape);            ///< mean `shape`, unit scale; shape > 0 (Marsaglia & Tsang 2000)
+  std::uint32_t poisson(double mean);    ///< inversion for small means, normal approximation above 60
+  std::uint32_t below(std::uint32_t n);  ///< 0 … n-1
 
  private:
   std::uint32_t bits();

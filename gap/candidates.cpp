@@ -36,7 +36,8 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   const double half_deg = azimuthStep_deg(replay) / 2.0;
   std::vector<std::vector<double>> starts;
   for (const FreeParameter& parameter : hypothesis.parameters) {
-    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m") starts.push_back({smallestRangeStep_m(replay)});
+    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m")
+      starts.push_back({smallestRangeStep_m(replay)});
   }
   for (const WhereRow& row : where) {
     if (row.covariate != "azimuth_deg" || starts.size() >= 12) continue;

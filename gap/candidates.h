@@ -38,8 +38,8 @@ struct Yardstick {
   double perfect = 0.0;   ///< of a model that is right but for noise
   double perfect_spread = 0.0;
 
-  /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one that
-  /// loses detections at random cannot come closer than that.
+  /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one
+  /// that loses detections at random cannot come closer than that.
   [[nodiscard]] double explained(double discrepancy, double self) const;
   /// How far the baseline stands above noise, in standard deviations of noise.
   [[nodiscard]] double z() const;
@@ -49,8 +49,8 @@ struct Yardstick {
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                          const std::vector<Hypothesis>& hypotheses,
-                                          const std::vector<WhereRow>& where, core::Progress& progress);
+                                          const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,
+                                          core::Progress& progress);
 
 /// Joint fits of the best candidates with every other one, started from the single fits.
 [[nodiscard]] std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,

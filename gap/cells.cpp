@@ -1,9 +1,8 @@
 #include "gap/cells.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 
@@ -15,8 +14,8 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kFewForAMedian = 4;
-constexpr double kOutlier = 6.0;         // standard deviations
-constexpr double kNormalMad = 1.4826;    // standard deviation of a normal distribution over its median deviation
+constexpr double kOutlier = 6.0;       // standard deviations
+constexpr double kNormalMad = 1.4826;  // standard deviation of a normal distribution over its median deviation
 
 /// Reorders the values.
 double medianOf(std::vector<double>& values) {
@@ -28,7 +27,7 @@ double medianOf(std::vector<double>& values) {
 struct Surface {
   std::int32_t object;
   double weight = 0.0;
-  double range = 0.0;      // weighted sums
+  double range = 0.0;  // weighted sums
   double incidence = 0.0;
 };
 
@@ -36,7 +35,8 @@ struct Surface {
 std::vector<Surface> surfacesOf(std::span<const model::Hit> hits, double separation_m) {
   std::vector<Surface> surfaces;
   for (const model::Hit& hit : hits) {
-    auto known = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
+    auto known =
+        std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
     if (known == surfaces.end()) known = surfaces.insert(surfaces.end(), Surface{hit.object});
     known->weight += hit.weight;
     known->range += hit.weight * hit.range_m;
@@ -125,7 +125,8 @@ void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
 std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
   // Detections by cell, in one array: those of cell c are order[first[c] … first[c + 1]).
   std::vector<std::size_t> cell_of(values.size()), first(cells_.size() + 1, 0), order(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) ++first[(cell_of[i] = cellOf(values[i].beam, values[i].of[kRange])) + 1];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ++first[(cell_of[i] = cellOf(values[i].beam, values[i].of[kRange])) + 1];
   for (std::size_t c = 0; c < cells_.size(); ++c) first[c + 1] += first[c];
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < values.size(); ++i) order[next[cell_of[i]]++] = i;
@@ -185,10 +186,10 @@ std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections,
   for (std::size_t i = 0; i < detections.size(); ++i) {
     const auto layer = layers.find(detections.layer[i]);
     if (layer == layers.end()) {
-      throw core::InputError({.file = file, .line = static_cast<int>(i) + 2},
-                             fmt::format("layer {} does not exist; the sensor profile has {} layers.",
-                                         detections.layer[i], layers.size()),
-                             "Use the profile of the sensor that measured this.");
+      throw core::InputError(
+          {.file = file, .line = static_cast<int>(i) + 2},
+          fmt::format("layer {} does not exist; the sensor profile has {} layers.", detections.layer[i], layers.size()),
+          "Use the profile of the sensor that measured this.");
     }
     const auto& list = layer->second;
     auto right = std::lower_bound(list.begin(), list.end(), detections.azimuth_rad[i],

@@ -60,14 +60,15 @@ class CellLayout {
   };
   [[nodiscard]] std::size_t cellOf(std::uint32_t beam, double range_m) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
-  void add(std::vector<CellStatistics>& statistics, std::size_t cell, const std::array<double, kChannels>& values) const;
+  void add(std::vector<CellStatistics>& statistics, std::size_t cell,
+           const std::array<double, kChannels>& values) const;
 
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
   double reach_m_ = 0.0;      ///< farther from every anchor a detection is extra
   double tolerance_m_ = 0.0;  ///< nearer to its cell's median a detection is no outlier, however calm the cell is
-  bool pooled_ = false;   ///< directions were not recorded: everything is one cell
+  bool pooled_ = false;       ///< directions were not recorded: everything is one cell
 };
 
 /// The beam of every detection: the nearest of its layer in azimuth. Throws InputError if a layer does not exist in

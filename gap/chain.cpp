@@ -29,7 +29,8 @@ std::vector<std::size_t> nodesOf(const percollect::Graph& graph, const std::stri
 
 }  // namespace
 
-CauseChain chainOf(const percollect::Graph& graph, const std::string& effect, const std::vector<std::string>& node_ids) {
+CauseChain chainOf(const percollect::Graph& graph, const std::string& effect,
+                   const std::vector<std::string>& node_ids) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> came_from(graph.size(), kNone);
   std::vector<bool> seen(graph.size(), false);

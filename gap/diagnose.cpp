@@ -1,6 +1,5 @@
-#include <boost/math/distributions/normal.hpp>
-
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <chrono>
 #include <cmath>
 
@@ -16,20 +15,21 @@ namespace {
 
 constexpr int kWhereFrames = 24;
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kSignificance = 1e-3;       // of the gap being present at all
-constexpr double kClear = 5.0;               // standard deviations: a gap beyond doubt
-constexpr double kMaterialSteps = 0.25;      // of the resolution: smaller deviations are not called a gap
-constexpr double kExplains = 0.70;           // share that a cause must explain on held-out data to be named
-constexpr double kLooksFurther = 0.93;       // below it pairs are tried
-constexpr double kPairGain = 0.5;            // a pair must halve what its best member leaves
-constexpr double kTie = 0.02;                // merits this close cannot be told apart
+constexpr double kSignificance = 1e-3;   // of the gap being present at all
+constexpr double kClear = 5.0;           // standard deviations: a gap beyond doubt
+constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
+constexpr double kExplains = 0.70;       // share that a cause must explain on held-out data to be named
+constexpr double kLooksFurther = 0.93;   // below it pairs are tried
+constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
+constexpr double kTie = 0.02;            // merits this close cannot be told apart
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
   nlohmann::json json = model.json;
   if (json.contains("sensor")) json["sensor"] = model::sensorProfileJson(json["sensor"], model.file, "/sensor");
   if (json.contains("sensors")) {
-    for (auto& [name, value] : json["sensors"].items()) value = model::sensorProfileJson(value, model.file, "/sensors/" + name);
+    for (auto& [name, value] : json["sensors"].items())
+      value = model::sensorProfileJson(value, model.file, "/sensors/" + name);
   }
   return model::parseModel(json, model.file);
 }
@@ -105,7 +105,8 @@ std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates) {
   std::vector<std::string> ties;
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     const std::string& name = candidates[i].hypothesis.name;
-    if (candidates[i].merit() < candidates.front().merit() - kTie || name == candidates.front().hypothesis.name) continue;
+    if (candidates[i].merit() < candidates.front().merit() - kTie || name == candidates.front().hypothesis.name)
+      continue;
     if (std::find(ties.begin(), ties.end(), name) == ties.end()) ties.push_back(name);
   }
   return ties;
@@ -113,9 +114,12 @@ std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates) {
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
-    case CauseKind::kEffect: return VerdictKind::kEffect;
-    case CauseKind::kParameter: return VerdictKind::kParameter;
-    case CauseKind::kReference: return VerdictKind::kReference;
+    case CauseKind::kEffect:
+      return VerdictKind::kEffect;
+    case CauseKind::kParameter:
+      return VerdictKind::kParameter;
+    case CauseKind::kReference:
+      return VerdictKind::kReference;
   }
   return VerdictKind::kUnknown;
 }
@@ -144,8 +148,8 @@ struct Decision {
   std::vector<Candidate> singles;
 };
 
-Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick, const std::vector<WhereRow>& where,
-                const DiagnoseOptions& options, core::Progress& progress) {
+Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                const std::vector<WhereRow>& where, const DiagnoseOptions& options, core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, options.library), where, first);
@@ -169,7 +173,8 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
 }
 
 /// The causes that are listed, the verdict's first.
-void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed, Diagnosis& diagnosis) {
+void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed,
+                Diagnosis& diagnosis) {
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = replay.samples().front().layout->pooled();
@@ -201,7 +206,8 @@ void fillWinner(const Replay& replay, const Split& split, const Decision& decisi
   diagnosis.after = far.after;
   diagnosis.shrink = far.shrink;
   progress.report(0.92, "intervals of the parameters");
-  const auto intervals = parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.fitted, progress);
+  const auto intervals =
+      parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.fitted, progress);
   std::size_t used = 0;
   for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
@@ -250,11 +256,16 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
 
 std::string toString(VerdictKind kind) {
   switch (kind) {
-    case VerdictKind::kNone: return "none";
-    case VerdictKind::kEffect: return "effect";
-    case VerdictKind::kParameter: return "parameter";
-    case VerdictKind::kReference: return "reference";
-    case VerdictKind::kUnknown: return "unknown";
+    case VerdictKind::kNone:
+      return "none";
+    case VerdictKind::kEffect:
+      return "effect";
+    case VerdictKind::kParameter:
+      return "parameter";
+    case VerdictKind::kReference:
+      return "reference";
+    case VerdictKind::kUnknown:
+      return "unknown";
   }
   return "";
 }
@@ -300,15 +311,16 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
     diagnosis.verdict.kind = VerdictKind::kNone;
   }
   progress.report(0.86, "measuring how far the gap shrinks");
-  const World after = decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
+  const World after =
+      decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
   const BeforeAfter far = howFar(replay, after, split.held_out.samples, seed, progress);
   diagnosis.before = far.before;
   diagnosis.bias_intervals = far.bias_intervals;
   fillCauses(replay, split, decision, seed, diagnosis);
   if (decision.winner) fillWinner(replay, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
-  diagnosis.curves = beforeAfterValues(replay, where.tables, split.held_out.samples,
-                                       decision.winner ? &after : nullptr, seed);
+  diagnosis.curves =
+      beforeAfterValues(replay, where.tables, split.held_out.samples, decision.winner ? &after : nullptr, seed);
   Verdict& verdict = diagnosis.verdict;
   if (decision.winner) {
     for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) verdict.names.push_back(diagnosis.causes[c].name);
@@ -318,7 +330,8 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? 0.97 : 0.85;
   } else {
-    verdict.confidence = std::clamp(1.0 - (decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained)), 0.3, 0.95);
+    verdict.confidence = std::clamp(
+        1.0 - (decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained)), 0.3, 0.95);
   }
   verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

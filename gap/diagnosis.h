@@ -42,7 +42,7 @@ struct Cause {
   std::vector<FittedParameter> parameters;
   std::map<std::string, FittedParameter> setups;  ///< reference offsets per set-up
   Shrink shrink;
-  std::vector<std::string> chain;         ///< node ids from the cause up to the phenomenon, if a graph was given
+  std::vector<std::string> chain;  ///< node ids from the cause up to the phenomenon, if a graph was given
   std::vector<std::string> chain_titles;
 };
 
@@ -94,19 +94,19 @@ struct Diagnosis {
   bool synthetic = false;
   bool present = false;
   double p_value = 1.0;
-  TotalGap before;                       ///< mean over the held-out samples
+  TotalGap before;                                 ///< mean over the held-out samples
   std::map<std::string, Interval> bias_intervals;  ///< of d_bias per measurand, over set-ups and frames
   std::vector<WhereRow> where;
   Verdict verdict;
-  std::vector<Cause> causes;             ///< best first; two for a pair come first, in one verdict
-  std::optional<TotalGap> after;         ///< with the verdict's cause added
+  std::vector<Cause> causes;      ///< best first; two for a pair come first, in one verdict
+  std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
   std::vector<std::string> held_out;
-  bool weak_hold_out = false;            ///< no sample could be held out whole
+  bool weak_hold_out = false;  ///< no sample could be held out whole
   std::optional<NextExperiment> next_experiment;
-  std::vector<ResidualMap> maps;           ///< the sample with the largest deviation, a map a measurand
-  std::vector<BeforeAfterValues> curves;   ///< of the measurand that deviates most, up to three held-out samples
-  nlohmann::json proposed_model;         ///< null if the verdict names nothing that a model file can hold
+  std::vector<ResidualMap> maps;          ///< the sample with the largest deviation, a map a measurand
+  std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples
+  nlohmann::json proposed_model;          ///< null if the verdict names nothing that a model file can hold
   double elapsed_s = 0.0;
 };
 

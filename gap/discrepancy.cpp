@@ -8,15 +8,15 @@ namespace gap {
 
 namespace {
 
-constexpr double kFloorSteps = 0.2;           // of the resolution: smaller mean differences are not worth explaining
-constexpr double kIntensityFloor = 0.004;     // relative: sub-ray grids of two programs agree no better
-constexpr double kRateFloor = 0.03;           // detections per frame and cell
-constexpr double kSpreadFloor = 0.05;         // of the logarithm of a variance
-constexpr double kLostCell = 20.0;             // z per channel of a surface that only one side detects in every frame
-constexpr double kOftenDetected = 0.3;         // rarer than this a lost surface is no more than its rate term
-constexpr double kPriorDetections = 6.0;      // weight of the profile's own noise in a cell's variance
-constexpr double kGroupRateFloor = 0.004;      // detections per frame and cell, mean of a group
-constexpr std::size_t kGroups = 6;            // groups of like power in which rates and spreads are compared
+constexpr double kFloorSteps = 0.2;        // of the resolution: smaller mean differences are not worth explaining
+constexpr double kIntensityFloor = 0.004;  // relative: sub-ray grids of two programs agree no better
+constexpr double kRateFloor = 0.03;        // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;      // of the logarithm of a variance
+constexpr double kLostCell = 20.0;         // z per channel of a surface that only one side detects in every frame
+constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
+constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
+constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
+constexpr std::size_t kGroups = 6;         // groups of like power in which rates and spreads are compared
 
 double rho(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
 
@@ -118,8 +118,7 @@ double meanError(const Replay& replay, Channel channel, const CellStatistics& a,
 }
 
 double discrepancy(const Replay& replay, std::size_t index, const std::vector<CellStatistics>& measured,
-                        int measured_frames, const std::vector<CellStatistics>& simulated, int simulated_frames,
-                        Half half) {
+                   int measured_frames, const std::vector<CellStatistics>& simulated, int simulated_frames, Half half) {
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
   double result = 0.0;
@@ -151,7 +150,8 @@ double discrepancy(const Replay& replay, std::size_t index, const std::vector<Ce
     addRates(surfaces, measured, measured_frames, simulated, simulated_frames, result);
     addRates(extra, measured, measured_frames, simulated, simulated_frames, result);
   }
-  for (const Channel channel : replay.channels()) addSpread(replay, sample, surfaces, channel, measured, simulated, result);
+  for (const Channel channel : replay.channels())
+    addSpread(replay, sample, surfaces, channel, measured, simulated, result);
   return result;
 }
 

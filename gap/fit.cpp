@@ -1,13 +1,11 @@
 #include "gap/fit.h"
 
-#include <nlopt.h>
-
-#include <boost/math/tools/minima.hpp>
-
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <nlopt.h>
 
 namespace gap {
 
@@ -16,7 +14,7 @@ namespace {
 constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
 constexpr int kBrentBits = 10;    // a thousandth of the bracket
 constexpr std::size_t kCoarseSamples = 4;
-constexpr double kFirstStep = 0.06;     // of the scaled range
+constexpr double kFirstStep = 0.06;  // of the scaled range
 constexpr double kFirstStep_deg = 1.5;
 
 /// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
@@ -73,7 +71,8 @@ std::vector<std::vector<double>> coarsePoints(std::size_t dimensions) {
 /// The objective on the unit cube.
 class Objective {
  public:
-  Objective(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence, const core::Progress& progress)
+  Objective(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+            const core::Progress& progress)
       : replay_(replay), hypothesis_(hypothesis), evidence_(evidence), progress_(progress) {
     for (const FreeParameter& parameter : hypothesis.parameters) scales_.emplace_back(parameter);
   }
@@ -141,8 +140,9 @@ std::vector<double> coarseSearch(const Objective& objective, const std::vector<s
 std::vector<double> refineOne(const Objective& objective, double start) {
   const double reach = 0.12;
   std::uintmax_t most = 24;
-  const auto [unit, value] = boost::math::tools::brent_find_minima(
-      [&](double x) { return objective({x}); }, std::max(0.0, start - reach), std::min(1.0, start + reach), kBrentBits, most);
+  const auto [unit, value] =
+      boost::math::tools::brent_find_minima([&](double x) { return objective({x}); }, std::max(0.0, start - reach),
+                                            std::min(1.0, start + reach), kBrentBits, most);
   (void)value;
   return {unit};
 }

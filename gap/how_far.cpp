@@ -1,8 +1,7 @@
 #include "gap/how_far.h"
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -44,7 +43,8 @@ double shrinkOn(const Replay& replay, const World& after, const std::vector<std:
   std::vector<TotalGap> then;
   for (const std::size_t s : held_out) {
     const ReplaySample& sample = replay.samples()[s];
-    then.push_back(totalGap(replay.experiment().measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
+    then.push_back(
+        totalGap(replay.experiment().measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
   }
   return shrinkOf(total_before, meanOf(then).total);
 }
@@ -56,7 +56,8 @@ BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<s
   std::vector<TotalGap> gaps_before(held_out.size()), gaps_after(held_out.size());
   core::parallelFor(held_out.size(), 1, [&](std::size_t i, std::size_t) {
     const ReplaySample& sample = replay.samples()[held_out[i]];
-    pairings[i] = {replay.detections(replay.baseline(), held_out[i], seed), replay.detections(after, held_out[i], seed)};
+    pairings[i] = {replay.detections(replay.baseline(), held_out[i], seed),
+                   replay.detections(after, held_out[i], seed)};
     gaps_before[i] = totalGap(measurands, sample.measured, pairings[i].before, sample.frames);
     gaps_after[i] = totalGap(measurands, sample.measured, pairings[i].after, sample.frames);
   });
@@ -68,7 +69,8 @@ BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<s
   std::vector<TotalGap> means_before(kResamples), means_after(kResamples);
   core::parallelFor(kResamples, 1, [&](std::size_t r, std::size_t) {
     core::stopIfCancelled(progress);
-    core::Random random({.seed = seed, .frame = static_cast<std::uint32_t>(r), .purpose = core::purposeOf("bootstrap")});
+    core::Random random(
+        {.seed = seed, .frame = static_cast<std::uint32_t>(r), .purpose = core::purposeOf("bootstrap")});
     std::vector<TotalGap> resampled_before, resampled_after;
     for (std::size_t k = 0; k < held_out.size(); ++k) {
       const std::size_t i = random.below(static_cast<std::uint32_t>(held_out.size()));

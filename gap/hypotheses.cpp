@@ -112,9 +112,11 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
   for (const model::ActiveEffect& effect : replay.baseline().model.effects) {
     for (const auto& [name, value] : effect.parameters.numbers) {
       const auto& parameters = model::findEffect(effect.name)->info.parameters;
-      const auto info = std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
+      const auto info =
+          std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
       if (info == parameters.end()) continue;
-      list.push_back(modelParameter("/effects/" + effect.name + "/" + name, value, std::max(info->min, value > 0 ? value / 10 : info->min),
+      list.push_back(modelParameter("/effects/" + effect.name + "/" + name, value,
+                                    std::max(info->min, value > 0 ? value / 10 : info->min),
                                     std::min(info->max, value > 0 ? value * 10 : info->max), false));
     }
   }
@@ -156,10 +158,12 @@ void addMaterials(const model::Scene& scene, const std::set<std::int32_t>& objec
     Hypothesis hypothesis;
     hypothesis.kind = CauseKind::kParameter;
     hypothesis.name = "/materials/" + material.name + "/reflectivity";
-    hypothesis.parameters = {{"value", "", material.reflectivity / 5.0, std::min(1.0, 5.0 * material.reflectivity), true,
-                              material.reflectivity}};
+    hypothesis.parameters = {{"value", "", material.reflectivity / 5.0, std::min(1.0, 5.0 * material.reflectivity),
+                              true, material.reflectivity}};
     const std::string name = material.name;
-    hypothesis.apply = [name](World& world, const std::vector<double>& values) { world.reflectivity[name] = values[0]; };
+    hypothesis.apply = [name](World& world, const std::vector<double>& values) {
+      world.reflectivity[name] = values[0];
+    };
     list.push_back(std::move(hypothesis));
   }
 }
@@ -214,9 +218,12 @@ void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, 
 
 std::string toString(CauseKind kind) {
   switch (kind) {
-    case CauseKind::kEffect: return "effect";
-    case CauseKind::kParameter: return "parameter";
-    case CauseKind::kReference: return "reference";
+    case CauseKind::kEffect:
+      return "effect";
+    case CauseKind::kParameter:
+      return "parameter";
+    case CauseKind::kReference:
+      return "reference";
   }
   return "";
 }

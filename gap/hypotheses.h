@@ -24,14 +24,14 @@ struct FreeParameter {
 /// One possible cause of the gap: how the world would differ from the baseline.
 struct Hypothesis {
   CauseKind kind = CauseKind::kEffect;
-  std::string name;                     ///< effect, or JSON Pointer
-  std::string variant;                  ///< tells several forms of one cause apart ("oren-nayar", "per set-up")
+  std::string name;     ///< effect, or JSON Pointer
+  std::string variant;  ///< tells several forms of one cause apart ("oren-nayar", "per set-up")
   std::vector<FreeParameter> parameters;
   std::function<void(World&, const std::vector<double>&)> apply;
   std::vector<std::string> percollect;  ///< graph nodes that the cause stands for
   std::string decomposition_block;
-  bool per_setup = false;               ///< one parameter a set-up, named after it
-  std::vector<Hypothesis> members;      ///< of a pair, in the order of its parameters; empty for a single cause
+  bool per_setup = false;           ///< one parameter a set-up, named after it
+  std::vector<Hypothesis> members;  ///< of a pair, in the order of its parameters; empty for a single cause
 };
 
 /// Everything that the library offers for this experiment and model: effects that the model lacks, parameters of

@@ -9,9 +9,9 @@ namespace gap {
 
 namespace {
 
-constexpr int kFewestRays = 9;           // per direction, whatever the model has
-constexpr int kEdgeFactor = 3;           // denser grid of partly hit beams: right to a tenth of a per cent of power
-constexpr std::size_t kMostTraces = 400; // remembered geometries
+constexpr int kFewestRays = 9;            // per direction, whatever the model has
+constexpr int kEdgeFactor = 3;            // denser grid of partly hit beams: right to a tenth of a per cent of power
+constexpr std::size_t kMostTraces = 400;  // remembered geometries
 
 /// The beams whose sub-rays do not all meet one object.
 std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits, std::size_t rays_per_beam) {
@@ -137,10 +137,10 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const auto edges = partlyHit(all, rays.weight.size());
   std::vector<model::Beam> edge_beams;
   for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
-  const model::BeamHits dense = model::traceBeams(
-      tracer, std::move(edge_beams),
-      model::subRaysOf(profile, settings.divergence, kEdgeFactor * horizontal, kEdgeFactor * vertical,
-                       model::Grid::kSheared));
+  const model::BeamHits dense =
+      model::traceBeams(tracer, std::move(edge_beams),
+                        model::subRaysOf(profile, settings.divergence, kEdgeFactor * horizontal, kEdgeFactor * vertical,
+                                         model::Grid::kSheared));
   traced->hits = joined(withReplaced(all, edges, dense), range_bin_m, azimuth_bin_rad);
   return traced;
 }
@@ -178,7 +178,8 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
 
 core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {
   const ReplaySample& sample = samples_[s];
-  return model::toDetections(fire(world, s, sample.frames, seed), sample.beams, world.model.sensor(sample.sample->sensor));
+  return model::toDetections(fire(world, s, sample.frames, seed), sample.beams,
+                             world.model.sensor(sample.sample->sensor));
 }
 
 std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {

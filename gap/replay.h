@@ -17,7 +17,7 @@ struct ReplaySample {
   std::size_t index = 0;  ///< in the experiment
   const model::Sample* sample = nullptr;
   core::Detections measured;
-  std::vector<std::uint32_t> beam_of;  ///< of each measured detection
+  std::vector<std::uint32_t> beam_of;      ///< of each measured detection
   std::vector<CellStatistics> statistics;  ///< of the measurement
   std::unique_ptr<CellLayout> layout;
   std::vector<model::Beam> beams;

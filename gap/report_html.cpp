@@ -1,14 +1,13 @@
 #include "gap/report_html.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "core/text.h"
 #include "core/version.h"
 #include "gap/wording.h"
-#include "metrics/edf.h"
+#include "metrics/distributions/edf.h"
 #include "report/bar_figure.h"
 #include "report/edf_figure.h"
 #include "report/map_figure.h"
@@ -40,12 +39,15 @@ void addVerdict(report::Page& page, const Diagnosis& diagnosis) {
       {"experiment", report::text(diagnosis.experiment)},
       {"model", report::text(diagnosis.model)},
       {"held-out samples", report::text(core::join(diagnosis.held_out))},
-      {"p-value of a gap being there", report::text(diagnosis.p_value < 1e-12 ? "< 1e-12" : core::significant(diagnosis.p_value))},
-      {"total gap on the held-out samples", report::text(core::significant(diagnosis.before.total) + " resolution steps")}};
+      {"p-value of a gap being there",
+       report::text(diagnosis.p_value < 1e-12 ? "< 1e-12" : core::significant(diagnosis.p_value))},
+      {"total gap on the held-out samples",
+       report::text(core::significant(diagnosis.before.total) + " resolution steps")}};
   page.keyValues(rows);
   if (diagnosis.weak_hold_out) {
-    page.paragraph("No whole sample could be held out: beams of the same samples were fitted and judged. Treat the "
-                   "result with reserve and record further set-ups.");
+    page.paragraph(
+        "No whole sample could be held out: beams of the same samples were fitted and judged. Treat the "
+        "result with reserve and record further set-ups.");
   }
 }
 
@@ -61,10 +63,17 @@ void addWhere(report::Page& page, const Diagnosis& diagnosis) {
     if (rows.size() >= 12) break;
     rows.push_back({report::text(row.measurand), report::text(row.component), report::text(stratumText(row)),
                     report::text(core::significant(row.value) + " " + row.unit), report::text(percent(row.share)),
-                    report::text(percent(row.size)), report::text(row.p_value < 1e-12 ? "< 1e-12" : core::significant(row.p_value, 2))});
+                    report::text(percent(row.size)),
+                    report::text(row.p_value < 1e-12 ? "< 1e-12" : core::significant(row.p_value, 2))});
   }
-  page.table({{"measurand"}, {"component"}, {"stratum"}, {"measured − simulated", Align::Right},
-              {"share of gap", Align::Right}, {"share of data", Align::Right}, {"p", Align::Right}}, rows);
+  page.table({{"measurand"},
+              {"component"},
+              {"stratum"},
+              {"measured − simulated", Align::Right},
+              {"share of gap", Align::Right},
+              {"share of data", Align::Right},
+              {"p", Align::Right}},
+             rows);
   for (const ResidualMap& map : diagnosis.maps) {
     report::MapFigure figure;
     figure.title = fmt::format("{} in sample {}", map.measurand, map.sample);
@@ -74,7 +83,8 @@ void addWhere(report::Page& page, const Diagnosis& diagnosis) {
     figure.cell_width = map.azimuth_step_deg;
     figure.x_grows_leftwards = true;
     for (const ResidualMap::Point& p : map.points) figure.cells.push_back({p.azimuth_deg, p.layer, p.value});
-    page.figure(report::mapFigure(figure), fmt::format("Mean over the frames of each beam: {}, sample {}.", map.measurand, map.sample));
+    page.figure(report::mapFigure(figure),
+                fmt::format("Mean over the frames of each beam: {}, sample {}.", map.measurand, map.sample));
   }
 }
 
@@ -95,20 +105,30 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
     bars.bars.push_back({cause.name, std::clamp(cause.explained, 0.0, 1.0), std::nullopt, named});
     std::string parameters;
     for (const FittedParameter& p : cause.parameters) {
-      parameters += fmt::format("{}{} = {}{}{}{}", parameters.empty() ? "" : "; ", p.name, core::significant(p.value, 4),
-                                p.unit.empty() ? "" : " ", p.unit, p.interval ? " (" + intervalText(*p.interval) + ")" : "");
+      parameters +=
+          fmt::format("{}{} = {}{}{}{}", parameters.empty() ? "" : "; ", p.name, core::significant(p.value, 4),
+                      p.unit.empty() ? "" : " ", p.unit, p.interval ? " (" + intervalText(*p.interval) + ")" : "");
     }
     for (const auto& [setup, p] : cause.setups) {
-      parameters += fmt::format("{}{}: {} {}", parameters.empty() ? "" : "; ", setup, core::significant(p.value, 3), p.unit);
+      parameters +=
+          fmt::format("{}{}: {} {}", parameters.empty() ? "" : "; ", setup, core::significant(p.value, 3), p.unit);
     }
     rows.push_back({report::text(toString(cause.kind)), report::text(cause.name), report::text(cause.variant),
                     report::text(parameters), report::text(percent(cause.explained)),
                     report::text(percent(cause.shrink.fraction)), report::text(percent(cause.confidence)),
                     report::text(core::join(cause.chain_titles, " → "))});
   }
-  page.figure(report::barFigure(bars), "A cause that is right explains nearly all; the rest of the list is what it was weighed against.");
-  page.table({{"kind"}, {"cause"}, {"form"}, {"fitted parameters (95 % interval over set-ups)"}, {"explains", Align::Right},
-              {"gap shrinks by", Align::Right}, {"confidence", Align::Right}, {"in the cause-effect graph"}}, rows);
+  page.figure(report::barFigure(bars),
+              "A cause that is right explains nearly all; the rest of the list is what it was weighed against.");
+  page.table({{"kind"},
+              {"cause"},
+              {"form"},
+              {"fitted parameters (95 % interval over set-ups)"},
+              {"explains", Align::Right},
+              {"gap shrinks by", Align::Right},
+              {"confidence", Align::Right},
+              {"in the cause-effect graph"}},
+             rows);
   if (!diagnosis.verdict.indistinguishable_from.empty()) {
     page.paragraph("These data cannot tell it from: " + core::join(diagnosis.verdict.indistinguishable_from) + ".");
   }
@@ -120,9 +140,10 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis) {
   if (!diagnosis.after) {
     page.paragraph("No cause was added, so nothing was re-simulated.");
   } else {
-    page.paragraph(fmt::format("Total gap on held-out samples: {} before, {} after: it shrinks by {} (95 % interval {}).",
-                               core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
-                               percent(diagnosis.shrink.fraction), intervalText(diagnosis.shrink.interval)));
+    page.paragraph(
+        fmt::format("Total gap on held-out samples: {} before, {} after: it shrinks by {} (95 % interval {}).",
+                    core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
+                    percent(diagnosis.shrink.fraction), intervalText(diagnosis.shrink.interval)));
     std::vector<std::vector<Html>> rows;
     for (const MeasurandGap& before : diagnosis.before.measurands) {
       for (const MeasurandGap& after : diagnosis.after->measurands) {
@@ -132,8 +153,13 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis) {
                         report::text(core::significant(after.d_cavm)), report::text(before.unit)});
       }
     }
-    page.table({{"measurand"}, {"d_bias before", Align::Right}, {"after", Align::Right}, {"d_CAVM before", Align::Right},
-                {"after", Align::Right}, {"unit"}}, rows);
+    page.table({{"measurand"},
+                {"d_bias before", Align::Right},
+                {"after", Align::Right},
+                {"d_CAVM before", Align::Right},
+                {"after", Align::Right},
+                {"unit"}},
+               rows);
     page.paragraph("d_bias is positive when the simulation is too high.");
   }
   for (const BeforeAfterValues& values : diagnosis.curves) {
@@ -163,8 +189,9 @@ std::string reportHtml(const Diagnosis& diagnosis) {
   addCauses(page, diagnosis);
   addHowFar(page, diagnosis);
   page.section("How this was found", "method");
-  page.paragraph("Every hypothesis was fitted on the other samples and judged on the held-out ones, with the same random "
-                 "numbers for all. Confidences are not yet calibrated on withheld cases.");
+  page.paragraph(
+      "Every hypothesis was fitted on the other samples and judged on the held-out ones, with the same random "
+      "numbers for all. Confidences are not yet calibrated on withheld cases.");
   page.keyValues({{"fidelis", report::text(core::kVersion)}});
   return page.html();
 }

@@ -12,12 +12,10 @@ namespace {
 Json toJson(const Interval& interval) { return Json::array({interval.low, interval.high}); }
 Json toJson(const std::optional<Interval>& interval) { return interval ? toJson(*interval) : Json(nullptr); }
 
-Json stratumJson(const WhereRow& row) {
-  return row.numeric ? Json::array({row.low, row.high}) : Json(row.names);
-}
+Json stratumJson(const WhereRow& row) { return row.numeric ? Json::array({row.low, row.high}) : Json(row.names); }
 
 Json toJson(const WhereRow& row) {
-  return {{"measurand", row.measurand}, {"component", row.component}, {"covariate", row.covariate},
+  return {{"measurand", row.measurand},  {"component", row.component}, {"covariate", row.covariate},
           {"stratum", stratumJson(row)}, {"value", row.value},         {"unit", row.unit},
           {"share", row.share},          {"size", row.size},           {"p_value", row.p_value},
           {"text", whereSentence(row)}};
@@ -32,12 +30,13 @@ Json gapJson(const Diagnosis& diagnosis) {
     if (interval != diagnosis.bias_intervals.end()) entry["interval"]["d_bias"] = toJson(interval->second);
     measurands.push_back(entry);
   }
-  return {{"present", diagnosis.present},
-          {"p_value", diagnosis.p_value},
-          {"measurands", measurands},
-          {"existence",
-           {{"missing_fraction", diagnosis.before.missing_fraction}, {"extra_fraction", diagnosis.before.extra_fraction}}},
-          {"total", diagnosis.before.total}};
+  return {
+      {"present", diagnosis.present},
+      {"p_value", diagnosis.p_value},
+      {"measurands", measurands},
+      {"existence",
+       {{"missing_fraction", diagnosis.before.missing_fraction}, {"extra_fraction", diagnosis.before.extra_fraction}}},
+      {"total", diagnosis.before.total}};
 }
 
 Json toJson(const Cause& cause) {
@@ -73,7 +72,7 @@ Json shrinkJson(const Diagnosis& diagnosis) {
                             {"after", {{"d_bias", after.d_bias}, {"d_cavm", after.d_cavm}}}});
     }
   }
-  return {{"fraction", diagnosis.shrink.fraction}, {"interval", toJson(diagnosis.shrink.interval)},
+  return {{"fraction", diagnosis.shrink.fraction},  {"interval", toJson(diagnosis.shrink.interval)},
           {"held_out_samples", diagnosis.held_out}, {"before_total", diagnosis.before.total},
           {"after_total", diagnosis.after->total},  {"measurands", measurands}};
 }

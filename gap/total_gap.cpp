@@ -5,7 +5,7 @@
 #include <map>
 
 #include "gap/existence.h"
-#include "metrics/double_validation_metric.h"
+#include "metrics/area/double_validation_metric.h"
 
 namespace gap {
 
@@ -48,7 +48,8 @@ TotalGap meanOf(const std::vector<TotalGap>& gaps) {
     for (const MeasurandGap& m : gap.measurands) {
       auto known = std::find_if(mean.measurands.begin(), mean.measurands.end(),
                                 [&](const MeasurandGap& other) { return other.name == m.name; });
-      if (known == mean.measurands.end()) known = mean.measurands.insert(mean.measurands.end(), {m.name, m.unit, 0, 0, m.resolution});
+      if (known == mean.measurands.end())
+        known = mean.measurands.insert(mean.measurands.end(), {m.name, m.unit, 0, 0, m.resolution});
       known->d_bias += m.d_bias;
       known->d_cavm += m.d_cavm;
       counts[m.name] += 1.0;

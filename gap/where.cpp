@@ -15,8 +15,8 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kQuantileGroups = 16;
-constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
-constexpr double kExistenceScale = 0.01; // the total gap counts existence in per cent
+constexpr double kSmallestExcess = 0.1;   // of the resolution: less is not worth a row
+constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent
 
 using Row = ResidualTable::Row;
 
@@ -126,7 +126,9 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
 }
 
 std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated) {
-  const auto cell = [&replay](const Row& row) -> const Cell& { return replay.samples()[row.sample].layout->cells()[row.cell]; };
+  const auto cell = [&replay](const Row& row) -> const Cell& {
+    return replay.samples()[row.sample].layout->cells()[row.cell];
+  };
   const auto beam = [&replay, cell](const Row& row) -> const model::Beam& {
     return replay.samples()[row.sample].beams[cell(row).beam];
   };
@@ -140,11 +142,16 @@ std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std:
   std::vector<Covariate> list;
   const bool pooled = replay.samples().front().layout->pooled();
   if (!pooled) {
-    list.push_back({"range_m", true, [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
-    list.push_back({"azimuth_deg", true, [beam](const Row& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
-    list.push_back({"elevation_deg", true, [beam](const Row& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
-    list.push_back({"incidence_deg", true,
-                    [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; }, nullptr});
+    list.push_back(
+        {"range_m", true, [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
+    list.push_back(
+        {"azimuth_deg", true, [beam](const Row& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
+    list.push_back(
+        {"elevation_deg", true, [beam](const Row& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
+    list.push_back(
+        {"incidence_deg", true,
+         [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; },
+         nullptr});
     list.push_back({"time_s", true, [beam](const Row& r) { return beam(r).time_s; }, nullptr});
     const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
     std::vector<std::string> objects, materials;
@@ -165,7 +172,8 @@ std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std:
     if (channel == kIntensity) list.push_back({"intensity", true, mean(kIntensity), nullptr});
   }
   if (!replay.experiment().sensors.empty()) {
-    list.push_back({"sensor", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->sensor; }});
+    list.push_back(
+        {"sensor", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->sensor; }});
   }
   std::set<std::string> setups, parameters;
   for (const ReplaySample& sample : replay.samples()) {
@@ -173,7 +181,8 @@ std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std:
     for (const auto& [name, value] : sample.sample->parameters) parameters.insert(name);
   }
   if (setups.size() > 1) {
-    list.push_back({"setup", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->setup; }});
+    list.push_back(
+        {"setup", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->setup; }});
   }
   for (const std::string& name : parameters) {
     if (name == "range_m" && !pooled) continue;  // the covariate of that name is finer
@@ -213,13 +222,17 @@ double ResidualTable::commonShift() const {
   return weight > 0.0 && std::abs(sum) > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
 }
 
-std::vector<ResidualTable> residualTables(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated,
+std::vector<ResidualTable> residualTables(const Replay& replay,
+                                          const std::vector<std::vector<CellStatistics>>& simulated,
                                           const std::vector<int>& simulated_frames) {
   std::vector<ResidualTable> tables;
   for (const Channel channel : replay.channels()) {
     const model::Measurand* measurand = nullptr;
     for (const model::Measurand& m : replay.experiment().measurands) {
-      if (m.name == nameOf(channel) || m.column == (channel == kRange ? "range_m" : channel == kEpw ? "epw_m" : "intensity")) measurand = &m;
+      if (m.name == nameOf(channel) || m.column == (channel == kRange ? "range_m"
+                                                    : channel == kEpw ? "epw_m"
+                                                                      : "intensity"))
+        measurand = &m;
     }
     ResidualTable bias{measurand->name, "bias", measurand->unit, measurand->resolution, {}};
     ResidualTable scatter{measurand->name, "scatter", measurand->unit, measurand->resolution, {}};
@@ -230,8 +243,9 @@ std::vector<ResidualTable> residualTables(const Replay& replay, const std::vecto
         bias.rows.push_back({s, c, m.mean(channel) - x.mean(channel), meanError(replay, channel, m, x), m.count});
         if (m.count < 5.0 || x.count < 5.0) continue;
         const double sm = std::sqrt(m.variance(channel)), sx = std::sqrt(x.variance(channel));
-        const double error = std::sqrt(m.variance(channel) / (2.0 * (m.count - 1.0)) + x.variance(channel) / (2.0 * (x.count - 1.0)) +
-                                       std::pow(0.1 * measurand->resolution, 2.0));
+        const double error =
+            std::sqrt(m.variance(channel) / (2.0 * (m.count - 1.0)) + x.variance(channel) / (2.0 * (x.count - 1.0)) +
+                      std::pow(0.1 * measurand->resolution, 2.0));
         scatter.rows.push_back({s, c, sm - sx, error, m.count});
       }
     }

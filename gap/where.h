@@ -16,12 +16,12 @@ struct WhereRow {
   double low = 0.0;  ///< numeric covariates: [low, high]
   double high = 0.0;
   std::vector<std::string> names;  ///< the others
-  double value = 0.0;  ///< measured minus simulated: mean, spread (standard deviation) or echoes per shot
+  double value = 0.0;              ///< measured minus simulated: mean, spread (standard deviation) or echoes per shot
   std::string unit;
-  double share = 0.0;          ///< of this measurand's gap that lies in the stratum
-  double size = 0.0;           ///< of the detections (shots) that lie in it
-  double p_value = 1.0;        ///< corrected for the search
-  double score = 0.0;          ///< by which rows of one measurand and component are ranked
+  double share = 0.0;    ///< of this measurand's gap that lies in the stratum
+  double size = 0.0;     ///< of the detections (shots) that lie in it
+  double p_value = 1.0;  ///< corrected for the search
+  double score = 0.0;    ///< by which rows of one measurand and component are ranked
 };
 
 /// Measured minus simulated of every cell, with everything that is known about it.

@@ -1,8 +1,7 @@
 #include "gap/wording.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 
 #include "core/text.h"
 
@@ -17,13 +16,15 @@ std::string listOf(const std::vector<std::string>& names) { return fmt::format("
 }  // namespace
 
 std::string stratumText(const WhereRow& row) {
-  if (row.numeric) return fmt::format("{} is {} to {}", row.covariate, core::significant(row.low), core::significant(row.high));
+  if (row.numeric)
+    return fmt::format("{} is {} to {}", row.covariate, core::significant(row.low), core::significant(row.high));
   return fmt::format("{} is {}", row.covariate, fmt::join(row.names, ", "));
 }
 
 std::string verdictSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
-  const std::string shrink = fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction));
+  const std::string shrink =
+      fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction));
   const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
   std::string ties;
   if (!verdict.indistinguishable_from.empty()) {
@@ -35,9 +36,11 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
     case VerdictKind::kEffect:
       return fmt::format("The model lacks {}; with it {} {}.{}", listOf(verdict.names), shrink, sure, ties);
     case VerdictKind::kParameter:
-      return fmt::format("The parameter {} has a wrong value; with the fitted one {} {}.{}", listOf(verdict.names), shrink, sure, ties);
+      return fmt::format("The parameter {} has a wrong value; with the fitted one {} {}.{}", listOf(verdict.names),
+                         shrink, sure, ties);
     case VerdictKind::kReference:
-      return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure, ties);
+      return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
+                         ties);
     case VerdictKind::kUnknown:
       if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
       return fmt::format("They differ, and nothing in the library explains it {}; the nearest, {}, explains {}.", sure,
@@ -61,10 +64,12 @@ std::string whereSentence(const WhereRow& row) {
 
 std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample) {
   std::vector<std::string> settings;
-  for (const auto& [name, value] : next.parameters) settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
+  for (const auto& [name, value] : next.parameters)
+    settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
   return fmt::format("Repeat with {}{}: there {} and {} differ most compared to the noise.",
                      settings.empty() ? "the setting of sample " + nearest_sample : core::join(settings),
-                     settings.empty() ? "" : " (as in sample " + nearest_sample + ")", next.separates[0], next.separates[1]);
+                     settings.empty() ? "" : " (as in sample " + nearest_sample + ")", next.separates[0],
+                     next.separates[1]);
 }
 
 }  // namespace gap

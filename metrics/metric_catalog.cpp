@@ -5,12 +5,12 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "metrics/double_metric.h"
-#include "metrics/kolmogorov_smirnov.h"
-#include "metrics/largest_area_metric.h"
-#include "metrics/modified_area_metric.h"
-#include "metrics/moment_differences.h"
-#include "metrics/wasserstein.h"
+#include "metrics/area/double_metric.h"
+#include "metrics/area/largest_area_metric.h"
+#include "metrics/area/modified_area_metric.h"
+#include "metrics/samples/kolmogorov_smirnov.h"
+#include "metrics/samples/moment_differences.h"
+#include "metrics/samples/wasserstein.h"
 
 namespace metrics {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "metrics/area_metric.h"
-#include "metrics/comparison.h"
-#include "metrics/double_validation_metric.h"
+#include "metrics/area/area_metric.h"
+#include "metrics/area/double_validation_metric.h"
+#include "metrics/distributions/comparison.h"
 
 namespace metrics {
 

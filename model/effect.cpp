@@ -4,12 +4,18 @@ namespace model {
 
 std::string toString(Stage stage) {
   switch (stage) {
-    case Stage::kEmission: return "Emission";
-    case Stage::kPropagation: return "Signal propagation";
-    case Stage::kInteraction: return "Signal propagation";
-    case Stage::kReception: return "Reception";
-    case Stage::kPreProcessing: return "Pre-processing";
-    case Stage::kDetection: return "Detection identification";
+    case Stage::kEmission:
+      return "Emission";
+    case Stage::kPropagation:
+      return "Signal propagation";
+    case Stage::kInteraction:
+      return "Signal propagation";
+    case Stage::kReception:
+      return "Reception";
+    case Stage::kPreProcessing:
+      return "Pre-processing";
+    case Stage::kDetection:
+      return "Detection identification";
   }
   return "";
 }

@@ -58,9 +58,9 @@ struct ChainSettings {
   Emitter emitter;
   Receiver receiver;
   DetectionStage detection;
-  AngularSize divergence;         ///< zero: the beam is its central ray (beam-divergence off)
-  bool broadens_pulses = false;   ///< false: sub-rays on one object count at their mean range
-  double range_scale = 1.0;       ///< time base: reported = scale * true + offset
+  AngularSize divergence;        ///< zero: the beam is its central ray (beam-divergence off)
+  bool broadens_pulses = false;  ///< false: sub-rays on one object count at their mean range
+  double range_scale = 1.0;      ///< time base: reported = scale * true + offset
   double range_offset_m = 0.0;
 };
 
@@ -76,8 +76,8 @@ struct Reflection {
 /// An echo on its way to becoming a detection.
 struct Echo {
   double range_m = 0.0;
-  double epw_m = 0.0;     ///< c · width, not halved
-  double peak_w = 0.0;    ///< of s(t) + n
+  double epw_m = 0.0;   ///< c · width, not halved
+  double peak_w = 0.0;  ///< of s(t) + n
 };
 
 /// One effect of the library, switched on with its parameters. Hooks that an effect does not need stay empty.

@@ -1,9 +1,8 @@
 #include "model/experiment.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <set>
 
 #include "core/error.h"
@@ -76,8 +75,10 @@ Sample readSample(core::JsonObject& object, const Experiment& experiment) {
   sample.patch = object.has("patch") ? object.raw("patch") : json::array();
   object.eachObject("epistemic", [&](core::JsonObject& item) { sample.epistemic.push_back(readEpistemic(item)); });
   if (sample.epistemic.size() > 8) {
-    object.fail("epistemic", fmt::format("has {} quantities; 2^{} corners would have to be simulated.",
-                sample.epistemic.size(), sample.epistemic.size()), "Keep at most 8 that matter.");
+    object.fail("epistemic",
+                fmt::format("has {} quantities; 2^{} corners would have to be simulated.", sample.epistemic.size(),
+                            sample.epistemic.size()),
+                "Keep at most 8 that matter.");
   }
   sample.frames = static_cast<int>(object.integer("frames", {.min = 1, .max = 10'000'000}));
   if (object.has("measurements")) sample.measurements = insidePackage(object, "measurements", experiment);
@@ -93,15 +94,18 @@ Sample readSample(core::JsonObject& object, const Experiment& experiment) {
 
 /// Patches may add what an experiment can hold, and nothing else.
 void refuseNewKeys(const Experiment& experiment, const Sample& sample, const json& patched) {
-  static const std::vector<std::string> known{"format", "version", "id", "title", "source", "sensor", "sensors", "measurands",
-                                              "environment", "materials", "scene", "gates", "samples", "columns"};
+  static const std::vector<std::string> known{"format", "version", "id",         "title",       "source",
+                                              "sensor", "sensors", "measurands", "environment", "materials",
+                                              "scene",  "gates",   "samples",    "columns"};
   for (const auto& item : patched.items()) {
-    const bool fine = std::find(known.begin(), known.end(), item.key()) != known.end() || item.key().rfind("x-", 0) == 0;
+    const bool fine =
+        std::find(known.begin(), known.end(), item.key()) != known.end() || item.key().rfind("x-", 0) == 0;
     if (fine) continue;
     const std::string nearest = core::nearestName(item.key(), known);
-    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
-                           "adds the unknown key '/" + item.key() + "'.",
-                           nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '/" + nearest + "'?");
+    throw core::InputError(
+        {.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
+        "adds the unknown key '/" + item.key() + "'.",
+        nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '/" + nearest + "'?");
   }
 }
 
@@ -124,7 +128,8 @@ void applyOffsets(json& value, const Experiment& experiment, const Sample& sampl
     const core::Place place{.file = experiment.file, .item = "sample '" + sample.id + "', epistemic " + path};
     try {
       json& target = value.at(json::json_pointer(path));
-      if (!target.is_number()) throw core::InputError(place, "does not point to a number.", "Point to the number itself.");
+      if (!target.is_number())
+        throw core::InputError(place, "does not point to a number.", "Point to the number itself.");
       target = target.get<double>() + offsets[i];
     } catch (const json::exception& error) {
       throw core::InputError(place, std::string("does not lead anywhere: ") + error.what() + ".",
@@ -154,7 +159,7 @@ void readSensors(core::JsonObject& object, Experiment& experiment) {
 }
 
 void readColumns(core::JsonObject columns, Experiment& experiment) {
-  static const std::vector<std::string> known{"frame", "time_s", "layer", "azimuth_rad", "elevation_rad",
+  static const std::vector<std::string> known{"frame", "time_s",  "layer", "azimuth_rad", "elevation_rad",
                                               "echo",  "range_m", "epw_m", "intensity"};
   for (const std::string& name : known) {
     if (columns.has(name)) experiment.columns[name] = columns.text(name);
@@ -176,9 +181,12 @@ void readGates(core::JsonObject& object, Experiment& experiment, const Scene& sc
 
 std::string toString(Role role) {
   switch (role) {
-    case Role::kCalibration: return "calibration";
-    case Role::kValidation: return "validation";
-    case Role::kPrediction: return "prediction";
+    case Role::kCalibration:
+      return "calibration";
+    case Role::kValidation:
+      return "validation";
+    case Role::kPrediction:
+      return "prediction";
   }
   return "";
 }
@@ -217,7 +225,8 @@ Experiment parseExperiment(json value, const std::filesystem::path& file) {
   experiment.title = object.textOr("title", experiment.id);
   experiment.source = object.textOr("source", "");
   readSensors(object, experiment);
-  object.eachObject("measurands", [&](core::JsonObject& item) { experiment.measurands.push_back(readMeasurand(item)); });
+  object.eachObject("measurands",
+                    [&](core::JsonObject& item) { experiment.measurands.push_back(readMeasurand(item)); });
   if (experiment.measurands.empty()) object.fail("measurands", "is missing or empty.", "Name at least one measurand.");
   if (object.has("columns")) readColumns(object.object("columns"), experiment);
   const Situation base = readSituation(object);

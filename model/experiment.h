@@ -2,11 +2,10 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "core/detections.h"
 #include "model/scene.h"
@@ -64,8 +63,8 @@ struct Sample {
 
 /// An experiment package (formats.md section 1).
 struct Experiment {
-  std::filesystem::path file;    ///< experiment.json
-  nlohmann::json json;           ///< as read; patches apply to it
+  std::filesystem::path file;  ///< experiment.json
+  nlohmann::json json;         ///< as read; patches apply to it
   std::string id;
   std::string title;
   std::string source;

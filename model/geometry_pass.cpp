@@ -36,10 +36,9 @@ BeamHits traceBeams(const RayTracer& tracer, std::vector<Beam> beams, const SubR
       tracer.trace(rays, found);
       for (std::size_t i = 0; i < rays_per_beam; ++i) {
         if (found[i].object < 0 || !(found[i].range_m >= kNearest_m)) continue;
-        per_beam[b].push_back({found[i].range_m, static_cast<float>(found[i].cos_incidence),
-                               static_cast<float>(sub_rays.weight[i]),
-                               static_cast<float>(std::atan2(rays[i].direction[1], rays[i].direction[0])),
-                               found[i].object});
+        per_beam[b].push_back(
+            {found[i].range_m, static_cast<float>(found[i].cos_incidence), static_cast<float>(sub_rays.weight[i]),
+             static_cast<float>(std::atan2(rays[i].direction[1], rays[i].direction[0])), found[i].object});
       }
     }
   });

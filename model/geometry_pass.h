@@ -13,8 +13,8 @@ namespace model {
 struct Hit {
   double range_m = 0.0;
   float cos_incidence = 0.0F;
-  float weight = 0.0F;        ///< share of the beam's power, Σ over all sub-rays = 1
-  float azimuth_rad = 0.0F;   ///< of the sub-ray itself
+  float weight = 0.0F;       ///< share of the beam's power, Σ over all sub-rays = 1
+  float azimuth_rad = 0.0F;  ///< of the sub-ray itself
   std::int32_t object = -1;
 };
 

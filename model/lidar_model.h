@@ -36,6 +36,7 @@ struct LidarModel {
 [[nodiscard]] LidarModel parseModel(nlohmann::json json, const std::filesystem::path& file);
 
 /// The model with one more effect (or with other parameters of one that it has); numbers only.
-[[nodiscard]] LidarModel withEffect(const LidarModel& model, const std::string& name, const EffectParameters& parameters);
+[[nodiscard]] LidarModel withEffect(const LidarModel& model, const std::string& name,
+                                    const EffectParameters& parameters);
 
 }  // namespace model

@@ -1,9 +1,8 @@
 #include "model/ray_tracer.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
+#include <embree3/rtcore.h>
 #include <limits>
 
 #include "model/triangles.h"
@@ -27,7 +26,8 @@ struct Surface {
 
   [[nodiscard]] Vector3 localOf(const Vector3& v) const {  // a direction; transposed rotation
     Vector3 local{};
-    for (std::size_t i = 0; i < 3; ++i) local[i] = rotation[0][i] * v[0] + rotation[1][i] * v[1] + rotation[2][i] * v[2];
+    for (std::size_t i = 0; i < 3; ++i)
+      local[i] = rotation[0][i] * v[0] + rotation[1][i] * v[1] + rotation[2][i] * v[2];
     return local;
   }
 };
@@ -73,7 +73,8 @@ Meeting meetExactly(const Surface& surface, const Ray& ray, double near_m, const
       return meetFace(o, d, 2, std::copysign(cylinder->height_m / 2.0, o[2] + near_m * d[2]), near_m);
     }
     const double across = d[0] * d[0] + d[1] * d[1], along = o[0] * d[0] + o[1] * d[1];
-    const double t = nearestRoot(across, along, o[0] * o[0] + o[1] * o[1] - cylinder->radius_m * cylinder->radius_m, near_m);
+    const double t =
+        nearestRoot(across, along, o[0] * o[0] + o[1] * o[1] - cylinder->radius_m * cylinder->radius_m, near_m);
     return {t, std::abs(along + t * across) / cylinder->radius_m};
   }
   return {near_m, std::abs(dot(facet_normal, ray.direction))};
@@ -97,7 +98,8 @@ struct RayTracer::Embree {
                                                                  3 * sizeof(float), triangles.vertices.size()));
     const auto rotation = object.pose.rotation();
     for (const Vector3& local : triangles.vertices) {
-      for (std::size_t i = 0; i < 3; ++i) *vertices++ = static_cast<float>(object.pose.position_m[i] + dot(rotation[i], local));
+      for (std::size_t i = 0; i < 3; ++i)
+        *vertices++ = static_cast<float>(object.pose.position_m[i] + dot(rotation[i], local));
     }
     auto* faces = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                                  3 * sizeof(unsigned), triangles.faces.size()));
@@ -107,8 +109,8 @@ struct RayTracer::Embree {
 
   void addSphere(const SceneObject& object, double radius_m, unsigned id) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    auto* point = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                                              4 * sizeof(float), 1));
+    auto* point = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
     for (std::size_t i = 0; i < 3; ++i) point[i] = static_cast<float>(object.pose.position_m[i]);
     point[3] = static_cast<float>(radius_m);
     attach(geometry, id);

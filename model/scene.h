@@ -26,12 +26,23 @@ struct Pose {
   [[nodiscard]] Vector3 toLocal(const Vector3& world) const;
 };
 
-struct Rectangle { double width_m, height_m; };  ///< in its local y-z plane, front towards local -x
-struct Box { Vector3 size_m; };                  ///< centred
-struct Sphere { double radius_m; };
-struct Cylinder { double radius_m, height_m; };  ///< axis z, centred, closed
-struct Plane {};                                 ///< infinite, local z normal
-struct Mesh { std::filesystem::path file; double scale; };
+struct Rectangle {
+  double width_m, height_m;
+};  ///< in its local y-z plane, front towards local -x
+struct Box {
+  Vector3 size_m;
+};  ///< centred
+struct Sphere {
+  double radius_m;
+};
+struct Cylinder {
+  double radius_m, height_m;
+};                ///< axis z, centred, closed
+struct Plane {};  ///< infinite, local z normal
+struct Mesh {
+  std::filesystem::path file;
+  double scale;
+};
 using Shape = std::variant<Rectangle, Box, Sphere, Cylinder, Plane, Mesh>;
 
 enum class BrdfModel { kLambertian, kOrenNayar, kPhong, kRetroreflector };

@@ -75,7 +75,7 @@ DetectionStage readDetectionStage(core::JsonObject object) {
   stage.max_echoes = static_cast<int>(object.integerOr("max_echoes", 1, {.min = 1, .max = 100}));
   stage.echo_separation_m = object.numberOr("echo_separation_m", 0.0, kNotNegative);
   const std::string mode = object.choiceOr("range_mode", {"peak", "leading-edge", "centre"}, "peak");
-  stage.range_mode = mode == "peak" ? RangeMode::kPeak
+  stage.range_mode = mode == "peak"     ? RangeMode::kPeak
                      : mode == "centre" ? RangeMode::kCentre
                                         : RangeMode::kLeadingEdge;
   stage.min_range_m = object.numberOr("min_range_m", 0.0, kNotNegative);
@@ -129,7 +129,8 @@ nlohmann::json sensorProfileJson(const nlohmann::json& value, const std::filesys
 SensorProfile resolveSensorProfile(const nlohmann::json& value, const std::filesystem::path& file,
                                    const std::string& pointer) {
   const nlohmann::json profile = sensorProfileJson(value, file, pointer);
-  const auto origin = value.is_string() ? core::resourceFolder() / "sensors" / (value.get<std::string>() + ".json") : file;
+  const auto origin =
+      value.is_string() ? core::resourceFolder() / "sensors" / (value.get<std::string>() + ".json") : file;
   core::JsonObject object(profile, origin, value.is_string() ? "" : pointer);
   return readSensorProfile(object);
 }

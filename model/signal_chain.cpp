@@ -84,7 +84,8 @@ void SignalChain::aim(std::vector<Beam>& beams) const {
 std::vector<Pulse> SignalChain::pulsesOf(const Beam& beam, std::span<const Hit> hits, const Scene& scene) const {
   const double aperture_m2 =
       std::numbers::pi / 4.0 * settings_.receiver.aperture_diameter_m * settings_.receiver.aperture_diameter_m;
-  const double constant = settings_.emitter.peak_power_w * settings_.receiver.efficiency * aperture_m2 / std::numbers::pi;
+  const double constant =
+      settings_.emitter.peak_power_w * settings_.receiver.efficiency * aperture_m2 / std::numbers::pi;
   std::vector<Pulse> pulses;
   std::vector<std::int32_t> objects;
   for (const Hit& hit : hits) {
@@ -116,9 +117,15 @@ std::vector<Pulse> SignalChain::pulsesOf(const Beam& beam, std::span<const Hit> 
 Echo SignalChain::toEcho(const Stretch& stretch) const {
   Echo echo;
   switch (settings_.detection.range_mode) {
-    case RangeMode::kPeak: echo.range_m = stretch.peak_m; break;
-    case RangeMode::kLeadingEdge: echo.range_m = stretch.rise_m; break;
-    case RangeMode::kCentre: echo.range_m = 0.5 * (stretch.rise_m + stretch.fall_m); break;
+    case RangeMode::kPeak:
+      echo.range_m = stretch.peak_m;
+      break;
+    case RangeMode::kLeadingEdge:
+      echo.range_m = stretch.rise_m;
+      break;
+    case RangeMode::kCentre:
+      echo.range_m = 0.5 * (stretch.rise_m + stretch.fall_m);
+      break;
   }
   echo.epw_m = 2.0 * (stretch.fall_m - stretch.rise_m);  // r = c t / 2, so c·Δt = 2·Δr
   echo.peak_w = stretch.peak_w;
@@ -139,7 +146,8 @@ void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& p
   for (const WaveformPart& part : parts) {
     const double noise_w = std::min(receiver.noise_w * random.normal(), kLargestNoise * receiver.threshold_w);
     scratch.of_part.clear();
-    if (gain > 0.0) part.stretchesAbove(std::max((receiver.threshold_w - noise_w) / gain, part.lowest_level_w()), scratch.of_part);
+    if (gain > 0.0)
+      part.stretchesAbove(std::max((receiver.threshold_w - noise_w) / gain, part.lowest_level_w()), scratch.of_part);
     for (Stretch& stretch : scratch.of_part) {
       stretch.peak_w = gain * stretch.peak_w + noise_w;  // from here on with noise, so that merged echoes keep it
       scratch.stretches.push_back(stretch);
@@ -171,7 +179,8 @@ void SignalChain::finish(std::vector<Echo>& echoes, core::Random& random, const 
   }
   std::erase_if(echoes, [&](const Echo& e) { return e.range_m < stage.min_range_m || e.range_m > stage.max_range_m; });
   std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
-  if (echoes.size() > static_cast<std::size_t>(stage.max_echoes)) echoes.resize(static_cast<std::size_t>(stage.max_echoes));
+  if (echoes.size() > static_cast<std::size_t>(stage.max_echoes))
+    echoes.resize(static_cast<std::size_t>(stage.max_echoes));
 }
 
 void SignalChain::fireBeam(std::uint32_t index, const BeamHits& geometry, const Scene& scene, const RunOptions& options,

@@ -1,7 +1,7 @@
 #include "model/simulate.h"
 
-#include <cerrno>
 #include <cctype>
+#include <cerrno>
 #include <cstdlib>
 #include <set>
 #include <system_error>
@@ -72,7 +72,8 @@ nlohmann::json simulatedExperimentJson(const Experiment& experiment, const Lidar
 namespace {
 
 core::InputError cannotWrite(const std::filesystem::path& folder, const std::error_code& code) {
-  return {{.file = folder}, "cannot be written: " + code.message() + ".",
+  return {{.file = folder},
+          "cannot be written: " + code.message() + ".",
           "Check that its parent folder exists and that you may write there."};
 }
 
@@ -126,10 +127,9 @@ core::Detections simulate(const Experiment& experiment, const LidarModel& model,
   const Sample& sample = experiment.samples.at(sample_index);
   const TracedSample traced = traceSample(experiment, model, sample, offsets);
   const SignalChain chain = chainOf(model, sample, traced.situation.environment);
-  const auto shots = chain.run(traced.hits, traced.situation.scene,
-                               {.seed = seed.value_or(model.seed),
-                                .sample = static_cast<std::uint32_t>(sample_index),
-                                .frames = sample.frames});
+  const auto shots = chain.run(
+      traced.hits, traced.situation.scene,
+      {.seed = seed.value_or(model.seed), .sample = static_cast<std::uint32_t>(sample_index), .frames = sample.frames});
   return toDetections(shots, beamsOfSample(experiment, model, sample), model.sensor(sample.sensor));
 }
 
@@ -152,7 +152,8 @@ void simulatePackage(const Experiment& experiment, const LidarModel& model, cons
       core::writeDetections(file, simulate(experiment, model, i, {}, seed));
     }
     core::writeJson(part.path() / "experiment.json", json);
-    fs::permissions(part.path(), fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec,
+    fs::permissions(part.path(),
+                    fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec,
                     fs::perm_options::add);
     fs::rename(part.path(), wholeName(folder));  // takes the place of an empty folder, of no other
   } catch (const fs::filesystem_error& error) {

@@ -11,7 +11,8 @@
 namespace model {
 
 /// The beams that a sample fires: its own list, or the scan of the model's profile.
-[[nodiscard]] std::vector<Beam> beamsOfSample(const Experiment& experiment, const LidarModel& model, const Sample& sample);
+[[nodiscard]] std::vector<Beam> beamsOfSample(const Experiment& experiment, const LidarModel& model,
+                                              const Sample& sample);
 
 /// Geometry of one sample and epistemic corner: everything that the signal pass needs.
 struct TracedSample {

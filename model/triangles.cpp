@@ -4,7 +4,6 @@
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-
 #include <cmath>
 #include <numbers>
 

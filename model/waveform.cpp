@@ -44,10 +44,12 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double 
   start_m_ = pulses.front().range_m - reach;
   const auto samples = static_cast<std::size_t>((pulses.back().range_m + reach - start_m_) / step_m_) + 2;
   std::vector<double> signal(samples, 0.0);
-  // exp(-a (x + d)^2) = exp(-a x^2) · exp(-a d (2x + d)): two multiplications a sample, outwards from the pulse's centre.
+  // exp(-a (x + d)^2) = exp(-a x^2) · exp(-a d (2x + d)): two multiplications a sample, outwards from the pulse's
+  // centre.
   const double a = kFourLn2 / (fwhm_m * fwhm_m);
   const double second = std::exp(-2.0 * a * step_m_ * step_m_);
-  // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's peak.
+  // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's
+  // peak.
   const auto cut = static_cast<std::size_t>(reachOf(total_w, 0.01 * lowest_level_w, fwhm_m) / step_m_) + 2;
   for (const Pulse& pulse : pulses) {
     const auto centre = static_cast<std::size_t>((pulse.range_m - start_m_) / step_m_);
@@ -72,7 +74,8 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double 
     highest_w_ = std::max(highest_w_, signal[i]);
   }
   // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
-  const auto top = static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
+  const auto top =
+      static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
   highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
 }
 
@@ -137,7 +140,8 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
   }
   if (out.size() > before) return;
   // The level lies between the highest sample and the true peak: a stretch narrower than a sample step.
-  const auto top = static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
+  const auto top =
+      static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
   Stretch tip = stretchAt(top, top + 1, 0.0);
   const double curvature = 2.0 * log_signal_[top] - log_signal_[top - 1] - log_signal_[top + 1];
   const double half = step_m_ * std::sqrt(2.0 * std::max(0.0, std::log(tip.peak_w) - log_level) / curvature);

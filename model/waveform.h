@@ -23,8 +23,8 @@ struct Stretch {
 /// level that anybody will ask for. g is Gaussian with unit peak and the given full width at half maximum.
 ///
 /// The signal is sampled so finely that the parabola through three neighbouring samples of log s, which is exact for
-/// one Gaussian, gives its crossings and peak to microns; those of sums to a millimetre where the level touches a saddle,
-/// and better elsewhere.
+/// one Gaussian, gives its crossings and peak to microns; those of sums to a millimetre where the level touches a
+/// saddle, and better elsewhere.
 class WaveformPart {
  public:
   WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double lowest_level_w);

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/text.h"
-#include "metrics/area_metric.h"
+#include "metrics/area/area_metric.h"
 #include "report/axis.h"
 #include "report/figure.h"
 

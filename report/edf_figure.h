@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "metrics/comparison.h"
+#include "metrics/distributions/comparison.h"
 
 namespace report {
 

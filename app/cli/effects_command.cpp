@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
 #include <ostream>
 
 #include "app/cli/commands.h"
@@ -27,7 +26,8 @@ ordered_json toJson(const model::EffectEntry& entry) {
   ordered_json json{{"name", info.name}, {"title", info.title}, {"stage", model::toString(info.stage)}};
   json["percollect"] = info.percollect;
   json["parameters"] = ordered_json::array();
-  for (const model::ParameterInfo& parameter : info.parameters) json["parameters"].push_back(toJson(parameter, info.fitted));
+  for (const model::ParameterInfo& parameter : info.parameters)
+    json["parameters"].push_back(toJson(parameter, info.fitted));
   for (const auto& [name, choices] : entry.texts) json["parameters"].push_back({{"name", name}, {"choices", choices}});
   json["source"] = info.source;
   return json;
@@ -47,7 +47,8 @@ void printOne(std::ostream& out, const model::EffectEntry& entry) {
   out << fmt::format("{}: {}\n  stage       {}\n", info.name, info.title, model::toString(info.stage));
   if (!info.percollect.empty()) out << fmt::format("  graph nodes {}\n", core::join(info.percollect));
   for (const model::ParameterInfo& p : info.parameters) {
-    out << fmt::format("  {:<24} {:g} … {:g}{}{}{}\n{:27}{}\n", p.name, p.min, p.max, p.unit.empty() ? "" : " " + p.unit,
+    out << fmt::format("  {:<24} {:g} … {:g}{}{}{}\n{:27}{}\n", p.name, p.min, p.max,
+                       p.unit.empty() ? "" : " " + p.unit,
                        p.default_value ? fmt::format(", default {:g}", *p.default_value) : "",
                        toJson(p, info.fitted)["fitted"] ? ", fitted by a diagnosis" : "", "", p.meaning);
   }
@@ -75,7 +76,8 @@ void addEffectsCommand(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("effects", "List the effects of the library, or describe one");
   command->add_option("NAME", options->name, "Describe this effect: parameters with unit, range and default, source");
   command->add_option("--json", options->json, "Write the declarations as JSON; '-' is standard output");
-  command->footer("Examples:\n  fidelis effects\n  fidelis effects atmospheric-attenuation\n  fidelis effects --json -");
+  command->footer(
+      "Examples:\n  fidelis effects\n  fidelis effects atmospheric-attenuation\n  fidelis effects --json -");
   command->callback([options, &session] {
     const model::EffectEntry* one = options->name.empty() ? nullptr : &entryOf(options->name);
     if (!options->json.empty()) {

@@ -1,13 +1,12 @@
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <ostream>
 
 #include "app/cli/commands.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/json_object.h"
 #include "core/text.h"
-#include "core/file.h"
 #include "gap/chain.h"
 #include "gap/diagnosis.h"
 #include "gap/report_html.h"
@@ -42,8 +41,9 @@ std::vector<std::string> libraryOf(const std::string& text) {
   for (const std::string& name : names) {
     if (model::findEffect(name)) continue;
     const std::string nearest = core::nearestName(name, known);
-    throw core::InputError({.item = "--library"}, "'" + name + "' is not an effect of the library.",
-                           nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
+    throw core::InputError(
+        {.item = "--library"}, "'" + name + "' is not an effect of the library.",
+        nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
   }
   return names;
 }
@@ -63,7 +63,8 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
         << core::significant(100.0 * cause.explained, 3) << " % of the held-out discrepancy";
     for (const gap::FittedParameter& p : cause.parameters) {
       out << "; " << p.name << " = " << core::significant(p.value, 4);
-      if (p.interval) out << " [" << core::significant(p.interval->low, 4) << ", " << core::significant(p.interval->high, 4) << "]";
+      if (p.interval)
+        out << " [" << core::significant(p.interval->low, 4) << ", " << core::significant(p.interval->high, 4) << "]";
       if (!p.unit.empty()) out << " " << p.unit;
     }
     out << "\n";
@@ -77,14 +78,16 @@ void addGapCommand(CLI::App& program, Session& session) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "gap", "Diagnose the gap between a measurement and its re-simulation: where, which cause, how far it shrinks");
-  command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")->required();
+  command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")
+      ->required();
   command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
   command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
   command->add_option("--json", options->json, "Write the report here; - for standard output");
   command->add_option("--html", options->html, "Write the report as a self-contained page");
   command->add_option("--graph", options->graph, "Cause-effect graph (PerCollECT) in which the causes are looked up");
   command->add_option("--write-model", options->write_model, "Write the model with the cause that was found");
-  command->footer("Example:\n  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json");
+  command->footer(
+      "Example:\n  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json");
   command->callback([options, &session] {
     const auto library = libraryOf(options->library);
     const model::Experiment experiment = model::readExperiment(options->experiment);

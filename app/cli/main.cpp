@@ -2,7 +2,6 @@
 // boundary at which errors are printed.
 
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <iostream>
 
@@ -47,8 +46,8 @@ std::string hintFor(const CLI::App& program, int count, char** words) {
     if (word.empty() || word[0] == '-') continue;
     if (std::find(names.begin(), names.end(), word) != names.end()) return "";
     const std::string nearest = core::nearestName(word, names);
-    return "There is no command '" + word + "'." +
-           (nearest.empty() ? "" : " Did you mean 'fidelis " + nearest + "'?") + "\n";
+    return "There is no command '" + word + "'." + (nearest.empty() ? "" : " Did you mean 'fidelis " + nearest + "'?") +
+           "\n";
   }
   return "";
 }
@@ -86,7 +85,8 @@ int run(int count, char** words) {
     return kInterrupted;
   } catch (const std::exception& error) {
     progress.clear();
-    std::cerr << "fidelis: internal error: " << error.what() << "\n  This is a fault of the program; please report it.\n";
+    std::cerr << "fidelis: internal error: " << error.what()
+              << "\n  This is a fault of the program; please report it.\n";
     return kInternalError;
   }
 }

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <ostream>
 
 #include "app/cli/commands.h"
@@ -43,15 +42,18 @@ void addSensorsCommand(CLI::App& program, Session& session) {
   auto file = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand("sensors", "List the sensor profiles that come with the program");
   command->add_option("--json", *file, "Write the list as JSON; '-' is standard output");
-  command->footer("A model or an experiment names a profile by its id, or holds one itself.\n\nExample:\n  fidelis sensors --json -");
+  command->footer(
+      "A model or an experiment names a profile by its id, or holds one itself.\n\nExample:\n  fidelis sensors --json "
+      "-");
   command->callback([file, &session] {
-    nlohmann::ordered_json json{{"format", "fidelis-sensors"}, {"version", 1}, {"sensors", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json{
+        {"format", "fidelis-sensors"}, {"version", 1}, {"sensors", nlohmann::ordered_json::array()}};
     for (const model::SensorProfile& profile : shippedProfiles()) {
       json["sensors"].push_back(toJson(profile));
       if (!file->empty()) continue;
       session.out << fmt::format("{:<18} {} layers, {} beams a frame at {:g} Hz, up to {:g} m: {}\n", profile.id,
-                                 profile.scan.layers.size(), model::beamsOf(profile.scan).size(), profile.scan.frame_rate_hz,
-                                 profile.detection.max_range_m, profile.title);
+                                 profile.scan.layers.size(), model::beamsOf(profile.scan).size(),
+                                 profile.scan.frame_rate_hz, profile.detection.max_range_m, profile.title);
     }
     if (!file->empty()) session.writeJsonTo(*file, json);
   });

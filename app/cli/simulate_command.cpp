@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-
 #include <ostream>
 
 #include "app/cli/commands.h"
@@ -18,7 +17,8 @@ struct Options {
 void addSimulateCommand(CLI::App& program, Session& session) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("simulate", "Re-simulate an experiment package with the built-in lidar");
-  command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")->required();
+  command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")
+      ->required();
   command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
   command->add_option("--out", options->out, "New folder that becomes an experiment package: same files, simulated")
       ->required();

@@ -1,12 +1,10 @@
 #include "app/cli/terminal.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace app {
 

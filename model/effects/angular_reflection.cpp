@@ -57,17 +57,20 @@ class AngularReflection final : public Effect {
 }  // namespace
 
 EffectEntry angularReflection() {
-  return {.info = {.name = "angular-reflection",
-                   .title = "Non-Lambertian reflection",
-                   .stage = Stage::kInteraction,
-                   .percollect = {"111", "114", "123"},
-                   .parameters = {{"roughness_rad", "rad", 0.0, 1.6, std::nullopt, "Oren–Nayar: standard deviation of the facets' slope", false, 0.35},
-                                  {"diffuse_fraction", "", 0.0, 1.0, std::nullopt, "Phong: share of the diffuse part", false, 0.8},
-                                  {"exponent", "", 1.0, 1000.0, std::nullopt, "Phong: sharpness of the lobe", true, 20.0}},
-                   .fitted = {"diffuse_fraction", "exponent"},
-                   .source = "Oren & Nayar 1994, doi:10.1145/192161.192213; Lafortune & Willems 1994, CW 197"},
-          .make = makeFrom<AngularReflection>,
-          .texts = {{"model", {"lambertian", "oren-nayar", "phong"}}}};
+  return {
+      .info = {.name = "angular-reflection",
+               .title = "Non-Lambertian reflection",
+               .stage = Stage::kInteraction,
+               .percollect = {"111", "114", "123"},
+               .parameters = {{"roughness_rad", "rad", 0.0, 1.6, std::nullopt,
+                               "Oren–Nayar: standard deviation of the facets' slope", false, 0.35},
+                              {"diffuse_fraction", "", 0.0, 1.0, std::nullopt, "Phong: share of the diffuse part",
+                               false, 0.8},
+                              {"exponent", "", 1.0, 1000.0, std::nullopt, "Phong: sharpness of the lobe", true, 20.0}},
+               .fitted = {"diffuse_fraction", "exponent"},
+               .source = "Oren & Nayar 1994, doi:10.1145/192161.192213; Lafortune & Willems 1994, CW 197"},
+      .make = makeFrom<AngularReflection>,
+      .texts = {{"model", {"lambertian", "oren-nayar", "phong"}}}};
 }
 
 }  // namespace model::effects

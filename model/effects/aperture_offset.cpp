@@ -24,8 +24,8 @@ double sharedArea(double radius, double other, double distance) {
 ///   χ(r) = share of the beam's disc (radius r φ/2) inside the field of view's disc (radius D/2 + r Ψ/2),
 ///          centres `offset` apart, axes parallel
 ///
-/// φ and Ψ are the horizontal full widths, the larger one if that is zero. Without a field of view in the profile χ = 1.
-/// Source: Stelmaszczyk et al. 2005, doi:10.1364/AO.44.001323 (geometrical compression form factor).
+/// φ and Ψ are the horizontal full widths, the larger one if that is zero. Without a field of view in the profile χ
+/// = 1. Source: Stelmaszczyk et al. 2005, doi:10.1364/AO.44.001323 (geometrical compression form factor).
 class ApertureOffset final : public Effect {
  public:
   explicit ApertureOffset(const EffectParameters& parameters) : given_m_(parameters.number("offset_m")) {}
@@ -60,7 +60,8 @@ EffectEntry apertureOffset() {
                    .title = "Offset of the receiver's axis",
                    .stage = Stage::kEmission,
                    .percollect = {"14", "73", "107"},
-                   .parameters = {{"offset_m", "m", 0.0, 0.1, std::nullopt, "Distance of the axes; without it the profile's", false, 0.03}},
+                   .parameters = {{"offset_m", "m", 0.0, 0.1, std::nullopt,
+                                   "Distance of the axes; without it the profile's", false, 0.03}},
                    .fitted = {"offset_m"},
                    .source = "Stelmaszczyk et al. 2005, doi:10.1364/AO.44.001323"},
           .make = makeFrom<ApertureOffset>};

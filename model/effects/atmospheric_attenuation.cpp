@@ -36,8 +36,9 @@ class AtmosphericAttenuation final : public Effect {
   void prepare(ChainSettings& settings, const Environment& environment) const override {
     const double wavelength_nm = settings.emitter.wavelength_nm;
     if (!parameters_.numbers.empty()) {
-      extinction_1_m_ = fromNumbers(parameters_.number("visibility_m"), parameters_.number("rain_rate_mm_h"), wavelength_nm) +
-                        parameters_.numberOr("extinction_1_m", 0.0);
+      extinction_1_m_ =
+          fromNumbers(parameters_.number("visibility_m"), parameters_.number("rain_rate_mm_h"), wavelength_nm) +
+          parameters_.numberOr("extinction_1_m", 0.0);
     } else {
       extinction_1_m_ = fromNumbers(environment.visibility_m, environment.rain_rate_mm_h, wavelength_nm);
     }
@@ -61,18 +62,20 @@ class AtmosphericAttenuation final : public Effect {
 }  // namespace
 
 EffectEntry atmosphericAttenuation() {
-  return {.info = {.name = "atmospheric-attenuation",
-                   .title = "Attenuation by the atmosphere",
-                   .stage = Stage::kPropagation,
-                   .percollect = {"87", "92", "93", "98"},
-                   .parameters = {{"visibility_m", "m", 20.0, 20000.0, std::nullopt,
-                                   "Meteorological visibility; without any parameter the experiment's environment", true, 1000.0},
-                                  {"rain_rate_mm_h", "mm/h", 0.0, 100.0, std::nullopt, "Rain rate", false, 10.0},
-                                  {"extinction_1_m", "1/m", 0.0, 0.2, std::nullopt, "Extinction coefficient", true, 0.005}},
-                   .fitted = {"visibility_m"},
-                   .source = "Kruse et al. 1962; Kim et al. 2001, doi:10.1117/12.417512; Carbonneau & Wisely 1998, "
-                             "doi:10.1117/12.302454"},
-          .make = makeFrom<AtmosphericAttenuation>};
+  return {
+      .info = {.name = "atmospheric-attenuation",
+               .title = "Attenuation by the atmosphere",
+               .stage = Stage::kPropagation,
+               .percollect = {"87", "92", "93", "98"},
+               .parameters = {{"visibility_m", "m", 20.0, 20000.0, std::nullopt,
+                               "Meteorological visibility; without any parameter the experiment's environment", true,
+                               1000.0},
+                              {"rain_rate_mm_h", "mm/h", 0.0, 100.0, std::nullopt, "Rain rate", false, 10.0},
+                              {"extinction_1_m", "1/m", 0.0, 0.2, std::nullopt, "Extinction coefficient", true, 0.005}},
+               .fitted = {"visibility_m"},
+               .source = "Kruse et al. 1962; Kim et al. 2001, doi:10.1117/12.417512; Carbonneau & Wisely 1998, "
+                         "doi:10.1117/12.302454"},
+      .make = makeFrom<AtmosphericAttenuation>};
 }
 
 }  // namespace model::effects

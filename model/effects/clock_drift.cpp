@@ -12,10 +12,12 @@ constexpr double kReferenceTemperature_degC = 20.0;
 class ClockDrift final : public Effect {
  public:
   explicit ClockDrift(const EffectParameters& parameters)
-      : scale_ppm_(parameters.numberOr("scale_ppm", 0.0)), per_kelvin_ppm_(parameters.numberOr("per_kelvin_ppm", 0.0)) {}
+      : scale_ppm_(parameters.numberOr("scale_ppm", 0.0)),
+        per_kelvin_ppm_(parameters.numberOr("per_kelvin_ppm", 0.0)) {}
 
   void prepare(ChainSettings& settings, const Environment& environment) const override {
-    const double warmer_K = environment.temperature_degC.value_or(kReferenceTemperature_degC) - kReferenceTemperature_degC;
+    const double warmer_K =
+        environment.temperature_degC.value_or(kReferenceTemperature_degC) - kReferenceTemperature_degC;
     settings.range_scale *= 1.0 + 1e-6 * (scale_ppm_ + per_kelvin_ppm_ * warmer_K);
   }
 
@@ -27,14 +29,17 @@ class ClockDrift final : public Effect {
 }  // namespace
 
 EffectEntry clockDrift() {
-  return {.info = {.name = "clock-drift",
-                   .title = "Drift of the time base",
-                   .stage = Stage::kPreProcessing,
-                   .parameters = {{"scale_ppm", "ppm", -2000.0, 2000.0, 0.0, "Reported over true range, minus one, at 20 °C", false, 200.0},
-                                  {"per_kelvin_ppm", "ppm/K", -200.0, 200.0, 0.0, "Change of the scale with temperature", false, 10.0}},
-                   .fitted = {"scale_ppm"},
-                   .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610 (scale factor and its temperature dependence)"},
-          .make = makeFrom<ClockDrift>};
+  return {
+      .info = {.name = "clock-drift",
+               .title = "Drift of the time base",
+               .stage = Stage::kPreProcessing,
+               .parameters = {{"scale_ppm", "ppm", -2000.0, 2000.0, 0.0,
+                               "Reported over true range, minus one, at 20 °C", false, 200.0},
+                              {"per_kelvin_ppm", "ppm/K", -200.0, 200.0, 0.0, "Change of the scale with temperature",
+                               false, 10.0}},
+               .fitted = {"scale_ppm"},
+               .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610 (scale factor and its temperature dependence)"},
+      .make = makeFrom<ClockDrift>};
 }
 
 }  // namespace model::effects

@@ -28,16 +28,19 @@ class CoverContamination final : public Effect {
 }  // namespace
 
 EffectEntry coverContamination() {
-  return {.info = {.name = "cover-contamination",
-                   .title = "Contamination of the sensor cover",
-                   .stage = Stage::kReception,
-                   .percollect = {"69"},
-                   .parameters = {{"attenuation", "", 0.0, 1.0, 0.3, "Share of power lost at each passage of the window", false, 0.3},
-                                  {"azimuth_from_deg", "deg", -180.0, 180.0, -180.0, "Right end of the sector", false, -20.0},
-                                  {"azimuth_to_deg", "deg", -180.0, 180.0, 180.0, "Left end of the sector", false, 20.0}},
-                   .fitted = {"attenuation", "azimuth_from_deg", "azimuth_to_deg"},
-                   .source = "Rivero et al. 2017, doi:10.1109/JSEN.2016.2629507"},
-          .make = makeFrom<CoverContamination>};
+  return {
+      .info = {.name = "cover-contamination",
+               .title = "Contamination of the sensor cover",
+               .stage = Stage::kReception,
+               .percollect = {"69"},
+               .parameters = {{"attenuation", "", 0.0, 1.0, 0.3, "Share of power lost at each passage of the window",
+                               false, 0.3},
+                              {"azimuth_from_deg", "deg", -180.0, 180.0, -180.0, "Right end of the sector", false,
+                               -20.0},
+                              {"azimuth_to_deg", "deg", -180.0, 180.0, 180.0, "Left end of the sector", false, 20.0}},
+               .fitted = {"attenuation", "azimuth_from_deg", "azimuth_to_deg"},
+               .source = "Rivero et al. 2017, doi:10.1109/JSEN.2016.2629507"},
+      .make = makeFrom<CoverContamination>};
 }
 
 }  // namespace model::effects

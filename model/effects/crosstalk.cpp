@@ -10,9 +10,9 @@ namespace {
 constexpr double kMeanPowerOverThreshold = 10.0;  ///< foreign pulses come one way and are seldom weak
 
 /// Pulses of a foreign lidar arrive whenever they like: a Poisson number in the time that one shot listens,
-/// mean = rate · 2 (r_max - r_min) / c, at ranges that have nothing to do with the scene. Their power above the threshold is
-/// drawn from an exponential distribution, their width follows from it as for any Gaussian pulse.
-/// Source: Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium (mutual interference of pulsed lidar scanners).
+/// mean = rate · 2 (r_max - r_min) / c, at ranges that have nothing to do with the scene. Their power above the
+/// threshold is drawn from an exponential distribution, their width follows from it as for any Gaussian pulse. Source:
+/// Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium (mutual interference of pulsed lidar scanners).
 class Crosstalk final : public Effect {
  public:
   explicit Crosstalk(const EffectParameters& parameters) : rate_1_s_(parameters.numberOr("rate_1_s", 0.0)) {}
@@ -24,9 +24,10 @@ class Crosstalk final : public Effect {
     const std::uint32_t count = random.poisson(rate_1_s_ * 2.0 * span_m / core::kSpeedOfLight_m_s);
     for (std::uint32_t i = 0; i < count; ++i) {
       const double over_threshold = 1.0 - kMeanPowerOverThreshold * std::log(random.uniform());
-      echoes.push_back({.range_m = stage.min_range_m + span_m * random.uniform(),
-                        .epw_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns * std::sqrt(std::log2(over_threshold)),
-                        .peak_w = over_threshold * settings.receiver.threshold_w});
+      echoes.push_back(
+          {.range_m = stage.min_range_m + span_m * random.uniform(),
+           .epw_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns * std::sqrt(std::log2(over_threshold)),
+           .peak_w = over_threshold * settings.receiver.threshold_w});
     }
   }
 
@@ -37,14 +38,15 @@ class Crosstalk final : public Effect {
 }  // namespace
 
 EffectEntry crosstalk() {
-  return {.info = {.name = "crosstalk",
-                   .title = "Crosstalk from foreign lidars",
-                   .stage = Stage::kPropagation,
-                   .percollect = {"84", "85"},
-                   .parameters = {{"rate_1_s", "1/s", 0.0, 1e6, 0.0, "Foreign pulses that the receiver meets", true, 1e4}},
-                   .fitted = {"rate_1_s"},
-                   .source = "Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium"},
-          .make = makeFrom<Crosstalk>};
+  return {
+      .info = {.name = "crosstalk",
+               .title = "Crosstalk from foreign lidars",
+               .stage = Stage::kPropagation,
+               .percollect = {"84", "85"},
+               .parameters = {{"rate_1_s", "1/s", 0.0, 1e6, 0.0, "Foreign pulses that the receiver meets", true, 1e4}},
+               .fitted = {"rate_1_s"},
+               .source = "Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium"},
+      .make = makeFrom<Crosstalk>};
 }
 
 }  // namespace model::effects

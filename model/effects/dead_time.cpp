@@ -7,9 +7,9 @@ namespace model::effects {
 
 namespace {
 
-/// After an echo the receiver is blind for a while (non-paralysable counter: an echo that it misses does not prolong the
-/// blindness). An echo is lost if it comes less than c/2 · τ behind the last one that was seen.
-/// Source: Knoll 2010, Radiation Detection and Measurement, ch. 4 VII.
+/// After an echo the receiver is blind for a while (non-paralysable counter: an echo that it misses does not prolong
+/// the blindness). An echo is lost if it comes less than c/2 · τ behind the last one that was seen. Source: Knoll 2010,
+/// Radiation Detection and Measurement, ch. 4 VII.
 class DeadTime final : public Effect {
  public:
   explicit DeadTime(const EffectParameters& parameters)

@@ -27,7 +27,8 @@ EffectEntry dynamicThreshold() {
                    .title = "Threshold that follows the noise",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"2", "43"},
-                   .parameters = {{"factor", "", 1.0, 50.0, 5.0, "Threshold over standard deviation of the noise", false, 6.0}},
+                   .parameters = {{"factor", "", 1.0, 50.0, 5.0, "Threshold over standard deviation of the noise",
+                                   false, 6.0}},
                    .fitted = {"factor"},
                    .source = "Richards 2014, Fundamentals of Radar Signal Processing, ch. 6.5"},
           .make = makeFrom<DynamicThreshold>};

@@ -4,8 +4,8 @@ namespace model::effects {
 
 namespace {
 
-/// Two surfaces closer than the separation give one echo. The chain merges in any case (formats.md section 3, step 4); this
-/// only replaces the profile's separation.
+/// Two surfaces closer than the separation give one echo. The chain merges in any case (formats.md section 3, step 4);
+/// this only replaces the profile's separation.
 class EchoMerging final : public Effect {
  public:
   explicit EchoMerging(const EffectParameters& parameters) : separation_m_(parameters.number("separation_m")) {}
@@ -24,7 +24,8 @@ EffectEntry echoMerging() {
                    .title = "Merging of near echoes",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"105", "118"},
-                   .parameters = {{"separation_m", "m", 0.0, 10.0, std::nullopt, "Least distance of two echoes; without it the profile's", true, 1.5}},
+                   .parameters = {{"separation_m", "m", 0.0, 10.0, std::nullopt,
+                                   "Least distance of two echoes; without it the profile's", true, 1.5}},
                    .fitted = {"separation_m"},
                    .source = "Jutzi & Stilla 2006, ISPRS Journal of Photogrammetry and Remote Sensing 61"},
           .make = makeFrom<EchoMerging>};

@@ -7,10 +7,9 @@ namespace model::effects {
 
 namespace {
 
-/// Noise crosses the threshold: a Poisson number of echoes a shot, evenly over the range. By how much Gaussian noise tops a
-/// high threshold is exponential with mean σ²/P_th (Rice); the noise has passed the receiver, so its peaks have the
-/// pulse's shape and width.
-/// Source: Rice 1945, doi:10.1002/j.1538-7305.1945.tb00453.x, sec. 3.3 and 3.6.
+/// Noise crosses the threshold: a Poisson number of echoes a shot, evenly over the range. By how much Gaussian noise
+/// tops a high threshold is exponential with mean σ²/P_th (Rice); the noise has passed the receiver, so its peaks have
+/// the pulse's shape and width. Source: Rice 1945, doi:10.1002/j.1538-7305.1945.tb00453.x, sec. 3.3 and 3.6.
 class FalseAlarm final : public Effect {
  public:
   explicit FalseAlarm(const EffectParameters& parameters) : rate_(parameters.numberOr("rate_per_beam", 0.0)) {}
@@ -23,9 +22,10 @@ class FalseAlarm final : public Effect {
     const std::uint32_t count = random.poisson(rate_);
     for (std::uint32_t i = 0; i < count; ++i) {
       const double over_threshold = 1.0 - mean_excess * std::log(random.uniform());
-      echoes.push_back({.range_m = stage.min_range_m + (stage.max_range_m - stage.min_range_m) * random.uniform(),
-                        .epw_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns * std::sqrt(std::log2(over_threshold)),
-                        .peak_w = over_threshold * threshold_w});
+      echoes.push_back(
+          {.range_m = stage.min_range_m + (stage.max_range_m - stage.min_range_m) * random.uniform(),
+           .epw_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns * std::sqrt(std::log2(over_threshold)),
+           .peak_w = over_threshold * threshold_w});
     }
   }
 
@@ -36,14 +36,15 @@ class FalseAlarm final : public Effect {
 }  // namespace
 
 EffectEntry falseAlarm() {
-  return {.info = {.name = "false-alarm",
-                   .title = "False alarms from noise",
-                   .stage = Stage::kDetection,
-                   .percollect = {"1", "43"},
-                   .parameters = {{"rate_per_beam", "", 0.0, 0.1, 0.0, "Mean number of false echoes a shot", true, 0.01}},
-                   .fitted = {"rate_per_beam"},
-                   .source = "Rice 1945, doi:10.1002/j.1538-7305.1945.tb00453.x"},
-          .make = makeFrom<FalseAlarm>};
+  return {
+      .info = {.name = "false-alarm",
+               .title = "False alarms from noise",
+               .stage = Stage::kDetection,
+               .percollect = {"1", "43"},
+               .parameters = {{"rate_per_beam", "", 0.0, 0.1, 0.0, "Mean number of false echoes a shot", true, 0.01}},
+               .fitted = {"rate_per_beam"},
+               .source = "Rice 1945, doi:10.1002/j.1538-7305.1945.tb00453.x"},
+      .make = makeFrom<FalseAlarm>};
 }
 
 }  // namespace model::effects

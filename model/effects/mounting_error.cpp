@@ -9,9 +9,9 @@ namespace model::effects {
 namespace {
 
 /// The sensor stands turned against what everybody assumes: its beams leave in turned directions while it reports the
-/// nominal ones. d_true = Rz(yaw) · Ry(pitch) · Rx(roll) · d_nominal, ISO 8855 (positive pitch looks down). The cross-section
-/// of a beam does not roll along; at a few degrees that turns it by less than its own cells.
-/// Source: Glennie & Lichti 2010, doi:10.3390/rs2061610 (boresight angles).
+/// nominal ones. d_true = Rz(yaw) · Ry(pitch) · Rx(roll) · d_nominal, ISO 8855 (positive pitch looks down). The
+/// cross-section of a beam does not roll along; at a few degrees that turns it by less than its own cells. Source:
+/// Glennie & Lichti 2010, doi:10.3390/rs2061610 (boresight angles).
 class MountingError final : public Effect {
  public:
   explicit MountingError(const EffectParameters& parameters) {
@@ -24,7 +24,8 @@ class MountingError final : public Effect {
     const auto r = turn_.rotation();
     for (Beam& beam : beams) {
       const double ce = std::cos(beam.elevation_rad);
-      const Vector3 d = {ce * std::cos(beam.azimuth_rad), ce * std::sin(beam.azimuth_rad), std::sin(beam.elevation_rad)};
+      const Vector3 d = {ce * std::cos(beam.azimuth_rad), ce * std::sin(beam.azimuth_rad),
+                         std::sin(beam.elevation_rad)};
       Vector3 turned{};
       for (std::size_t i = 0; i < 3; ++i) turned[i] = r[i][0] * d[0] + r[i][1] * d[1] + r[i][2] * d[2];
       beam.azimuth_rad = std::atan2(turned[1], turned[0]);
@@ -39,17 +40,19 @@ class MountingError final : public Effect {
 }  // namespace
 
 EffectEntry mountingError() {
-  return {.info = {.name = "mounting-error",
-                   .title = "Error of the sensor's mounting",
-                   .stage = Stage::kEmission,
-                   .percollect = {"7"},
-                   .parameters = {{"yaw_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed yaw, positive to the left", false, 0.5},
-                                  {"pitch_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed pitch, positive down", false, 0.5},
-                                  {"roll_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed roll, positive to the right", false, 0.5}},
-                   .fitted = {"yaw_deg", "pitch_deg"},
-                   .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610",
-                   .moves_geometry = true},
-          .make = makeFrom<MountingError>};
+  return {
+      .info = {.name = "mounting-error",
+               .title = "Error of the sensor's mounting",
+               .stage = Stage::kEmission,
+               .percollect = {"7"},
+               .parameters =
+                   {{"yaw_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed yaw, positive to the left", false, 0.5},
+                    {"pitch_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed pitch, positive down", false, 0.5},
+                    {"roll_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed roll, positive to the right", false, 0.5}},
+               .fitted = {"yaw_deg", "pitch_deg"},
+               .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610",
+               .moves_geometry = true},
+      .make = makeFrom<MountingError>};
 }
 
 }  // namespace model::effects

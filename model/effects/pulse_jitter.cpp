@@ -13,7 +13,8 @@ namespace {
 class PulseJitter final : public Effect {
  public:
   explicit PulseJitter(const EffectParameters& parameters)
-      : duration_stddev_ns_(parameters.numberOr("duration_stddev_ns", 0.0)), power_stddev_(parameters.numberOr("power_stddev", 0.0)) {}
+      : duration_stddev_ns_(parameters.numberOr("duration_stddev_ns", 0.0)),
+        power_stddev_(parameters.numberOr("power_stddev", 0.0)) {}
 
   [[nodiscard]] bool fluctuates() const override { return power_stddev_ > 0.0; }
   [[nodiscard]] double fluctuation(const Beam&, core::Random& random) const override {
@@ -44,8 +45,10 @@ EffectEntry pulseJitter() {
                    .title = "Jitter of the emitted pulse",
                    .stage = Stage::kEmission,
                    .percollect = {"5", "109"},
-                   .parameters = {{"duration_stddev_ns", "ns", 0.0, 1.0, 0.0, "Standard deviation of the pulse's duration", false, 0.1},
-                                  {"power_stddev", "", 0.0, 0.2, 0.0, "Standard deviation of the peak power over its mean", false, 0.05}},
+                   .parameters = {{"duration_stddev_ns", "ns", 0.0, 1.0, 0.0,
+                                   "Standard deviation of the pulse's duration", false, 0.1},
+                                  {"power_stddev", "", 0.0, 0.2, 0.0,
+                                   "Standard deviation of the peak power over its mean", false, 0.05}},
                    .fitted = {"duration_stddev_ns", "power_stddev"},
                    .source = "Rosenberger 2022, doi:10.26083/tuprints-00023034, ch. 10"},
           .make = makeFrom<PulseJitter>};

@@ -18,7 +18,8 @@ namespace {
 class RangeWalk final : public Effect {
  public:
   explicit RangeWalk(const EffectParameters& parameters)
-      : coefficient_m_(parameters.number("coefficient_m")), calibrated_at_snr_(parameters.number("calibrated_at_snr")) {}
+      : coefficient_m_(parameters.number("coefficient_m")),
+        calibrated_at_snr_(parameters.number("calibrated_at_snr")) {}
 
   void prepare(ChainSettings& settings, const Environment&) const override {
     if (coefficient_m_) return;
@@ -29,7 +30,8 @@ class RangeWalk final : public Effect {
     }
   }
   void process(Echo& echo, const ChainSettings& settings) const override {
-    if (coefficient_m_ && echo.peak_w > 0.0) echo.range_m += *coefficient_m_ * settings.receiver.threshold_w / echo.peak_w;
+    if (coefficient_m_ && echo.peak_w > 0.0)
+      echo.range_m += *coefficient_m_ * settings.receiver.threshold_w / echo.peak_w;
   }
 
  private:
@@ -40,16 +42,19 @@ class RangeWalk final : public Effect {
 }  // namespace
 
 EffectEntry rangeWalk() {
-  return {.info = {.name = "range-walk",
-                   .title = "Range walk",
-                   .stage = Stage::kPreProcessing,
-                   .percollect = {"2", "39"},
-                   .parameters = {{"coefficient_m", "m", -2.0, 2.0, std::nullopt, "Linear front: error of an echo at the threshold", false, 0.1},
-                                  {"calibrated_at_snr", "", 1.0, 1e6, std::nullopt,
-                                   "Peak power over threshold at which the range is right; without it the bare crossing", true, 50.0}},
-                   .fitted = {"calibrated_at_snr"},
-                   .source = "Amann et al. 2001, doi:10.1117/1.1330700"},
-          .make = makeFrom<RangeWalk>};
+  return {
+      .info = {.name = "range-walk",
+               .title = "Range walk",
+               .stage = Stage::kPreProcessing,
+               .percollect = {"2", "39"},
+               .parameters = {{"coefficient_m", "m", -2.0, 2.0, std::nullopt,
+                               "Linear front: error of an echo at the threshold", false, 0.1},
+                              {"calibrated_at_snr", "", 1.0, 1e6, std::nullopt,
+                               "Peak power over threshold at which the range is right; without it the bare crossing",
+                               true, 50.0}},
+               .fitted = {"calibrated_at_snr"},
+               .source = "Amann et al. 2001, doi:10.1117/1.1330700"},
+      .make = makeFrom<RangeWalk>};
 }
 
 }  // namespace model::effects

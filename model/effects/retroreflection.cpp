@@ -25,7 +25,8 @@ class Retroreflection final : public Effect {
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
     const Brdf& brdf = reflection.material.brdf;
     if (brdf.model != BrdfModel::kRetroreflector) return 1.0;
-    const double angle = std::acos(std::clamp(reflection.cos_incidence, 0.0, 1.0)) / half_width_rad_.value_or(brdf.half_width_rad);
+    const double angle =
+        std::acos(std::clamp(reflection.cos_incidence, 0.0, 1.0)) / half_width_rad_.value_or(brdf.half_width_rad);
     return 1.0 + (gain_.value_or(brdf.gain) - 1.0) * std::exp2(-angle * angle);
   }
 
@@ -41,7 +42,8 @@ EffectEntry retroreflection() {
                    .title = "Retroreflection",
                    .stage = Stage::kInteraction,
                    .percollect = {"111", "139"},
-                   .parameters = {{"gain", "", 10.0, 1e5, std::nullopt, "Return over that of a Lambertian; without it the material's", true, 300.0},
+                   .parameters = {{"gain", "", 10.0, 1e5, std::nullopt,
+                                   "Return over that of a Lambertian; without it the material's", true, 300.0},
                                   {"half_width_rad", "rad", 0.01, 1.5, std::nullopt,
                                    "Entrance angle of half the surplus; without it the material's", true, 0.5}},
                    .fitted = {"gain"},

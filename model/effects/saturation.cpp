@@ -31,7 +31,8 @@ EffectEntry saturation() {
                    .title = "Saturation of the receiver",
                    .stage = Stage::kReception,
                    .percollect = {"142"},
-                   .parameters = {{"saturation_w", "W", 1e-10, 1e-3, std::nullopt, "Power at which the output clips; without it the profile's", true, 1e-6}},
+                   .parameters = {{"saturation_w", "W", 1e-10, 1e-3, std::nullopt,
+                                   "Power at which the output clips; without it the profile's", true, 1e-6}},
                    .fitted = {"saturation_w"},
                    .source = "Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001"},
           .make = makeFrom<Saturation>};

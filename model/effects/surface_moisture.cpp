@@ -7,9 +7,10 @@ namespace model::effects {
 
 namespace {
 
-constexpr double kFilmReflectance = 0.02;    ///< Fresnel, air to water (n = 1.33), normal incidence
-constexpr double kReflectedInside = 0.472;   ///< share of diffuse light that a water film throws back: 1 - (1 - 0.066)/n²
-constexpr double kLobeExponent = 100.0;      ///< of the film's specular lobe
+constexpr double kFilmReflectance = 0.02;  ///< Fresnel, air to water (n = 1.33), normal incidence
+constexpr double kReflectedInside =
+    0.472;                               ///< share of diffuse light that a water film throws back: 1 - (1 - 0.066)/n²
+constexpr double kLobeExponent = 100.0;  ///< of the film's specular lobe
 
 /// A water film makes a rough surface darker and gives it a specular lobe. Wet, with A the dry reflectivity:
 ///

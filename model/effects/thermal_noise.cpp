@@ -22,7 +22,8 @@ class ThermalNoise final : public Effect {
       : given_degC_(parameters.number("temperature_degC")), share_(parameters.numberOr("dark_share", 1.0)) {}
 
   void prepare(ChainSettings& settings, const Environment& environment) const override {
-    const double temperature_degC = given_degC_.value_or(environment.temperature_degC.value_or(kReferenceTemperature_degC));
+    const double temperature_degC =
+        given_degC_.value_or(environment.temperature_degC.value_or(kReferenceTemperature_degC));
     settings.receiver.noise_w *=
         std::sqrt(1.0 - share_ + share_ * std::exp2((temperature_degC - kReferenceTemperature_degC) / kDoubling_K));
   }
@@ -41,7 +42,8 @@ EffectEntry thermalNoise() {
                    .percollect = {"58", "60", "63"},
                    .parameters = {{"temperature_degC", "°C", -40.0, 85.0, std::nullopt,
                                    "Of the detector; without it the experiment's environment", false, 50.0},
-                                  {"dark_share", "", 0.0, 1.0, 1.0, "Share of the noise variance at 20 °C that is dark noise", false, 1.0}},
+                                  {"dark_share", "", 0.0, 1.0, 1.0,
+                                   "Share of the noise variance at 20 °C that is dark noise", false, 1.0}},
                    .fitted = {"temperature_degC"},
                    .source = "Sze & Ng 2007, Physics of Semiconductor Devices, ch. 13"},
           .make = makeFrom<ThermalNoise>};

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <fstream>
+#include <gtest/gtest.h>
 #include <map>
 #include <regex>
 #include <set>
@@ -62,10 +61,17 @@ TEST(IncludeDirections, EveryFolderIncludesOnlyWhatStandsBelowIt) {
 
 // A library is known to one folder (and to app/ for the screen), so that it can be replaced there.
 TEST(IncludeDirections, ThirdPartyLibrariesStayInTheirFolder) {
-  const std::map<std::string, std::set<std::string>> home = {
-      {"embree3", {"model"}},    {"assimp", {"model"}},       {"SQLiteCpp", {"specs"}}, {"sqlite3.h", {"specs"}},
-      {"tinyxml2.h", {"percollect"}}, {"xlsxwriter.h", {"specs"}}, {"tbb", {"core"}}, {"Random123", {"core"}},
-      {"muParser.h", {"acceptance", "specs"}}, {"CLI", {"app"}}, {"csv.h", {"core"}}};
+  const std::map<std::string, std::set<std::string>> home = {{"embree3", {"model"}},
+                                                             {"assimp", {"model"}},
+                                                             {"SQLiteCpp", {"specs"}},
+                                                             {"sqlite3.h", {"specs"}},
+                                                             {"tinyxml2.h", {"percollect"}},
+                                                             {"xlsxwriter.h", {"specs"}},
+                                                             {"tbb", {"core"}},
+                                                             {"Random123", {"core"}},
+                                                             {"muParser.h", {"acceptance", "specs"}},
+                                                             {"CLI", {"app"}},
+                                                             {"csv.h", {"core"}}};
   for (const auto& [folder, allowed] : kMayInclude) {
     for (const auto& file : sourcesOf(folder)) {
       for (const std::string& include : includesOf(file)) {

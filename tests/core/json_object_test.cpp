@@ -48,13 +48,15 @@ TEST(JsonObject, NullIsAbsentAndNotZero) {
 TEST(JsonObject, TextForANumberSaysWhatWasExpected) {
   const auto value = nlohmann::json::parse(R"({"frames": "ten"})");
   core::JsonObject object(value, "e.json");
-  EXPECT_NE(messageOf([&] { (void)object.number("frames"); }).find("is a string; a number was expected"), std::string::npos);
+  EXPECT_NE(messageOf([&] { (void)object.number("frames"); }).find("is a string; a number was expected"),
+            std::string::npos);
 }
 
 TEST(JsonObject, NewerVersionIsRefusedWithTheWayOut) {
   const auto value = nlohmann::json::parse(R"({"format": "fidelis-sensor", "version": 2})");
   core::JsonObject object(value, "s.json");
-  EXPECT_NE(messageOf([&] { object.expectFormat("fidelis-sensor", 1); }).find("Use a newer Fidelis."), std::string::npos);
+  EXPECT_NE(messageOf([&] { object.expectFormat("fidelis-sensor", 1); }).find("Use a newer Fidelis."),
+            std::string::npos);
 }
 
 TEST(ReadJson, DoubledKeyIsAnErrorAndNotSilentlyTheLastOne) {

@@ -1,8 +1,7 @@
 #include "core/random.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <vector>
 
 namespace {
@@ -39,11 +38,12 @@ TEST(Random, SameKeyGivesTheSameNumbers) {
 TEST(Random, StreamsOfDifferentKeysAreUncorrelated) {
   const core::Random::Key base{.seed = 1, .sample = 1, .frame = 1, .beam = 1, .purpose = 1};
   const auto reference = drawn(&core::Random::normal, base);
-  for (const core::Random::Key other : {core::Random::Key{.seed = 2, .sample = 1, .frame = 1, .beam = 1, .purpose = 1},
-                                        core::Random::Key{.seed = 1, .sample = 2, .frame = 1, .beam = 1, .purpose = 1},
-                                        core::Random::Key{.seed = 1, .sample = 1, .frame = 2, .beam = 1, .purpose = 1},
-                                        core::Random::Key{.seed = 1, .sample = 1, .frame = 1, .beam = 2, .purpose = 1},
-                                        core::Random::Key{.seed = 1, .sample = 1, .frame = 1, .beam = 1, .purpose = 2}}) {
+  for (const core::Random::Key other :
+       {core::Random::Key{.seed = 2, .sample = 1, .frame = 1, .beam = 1, .purpose = 1},
+        core::Random::Key{.seed = 1, .sample = 2, .frame = 1, .beam = 1, .purpose = 1},
+        core::Random::Key{.seed = 1, .sample = 1, .frame = 2, .beam = 1, .purpose = 1},
+        core::Random::Key{.seed = 1, .sample = 1, .frame = 1, .beam = 2, .purpose = 1},
+        core::Random::Key{.seed = 1, .sample = 1, .frame = 1, .beam = 1, .purpose = 2}}) {
     const auto values = drawn(&core::Random::normal, other);
     double product = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) product += values[i] * reference[i];

@@ -14,46 +14,74 @@ json sensorJson() {
   for (const double elevation : {-1.2, -0.4, 0.4, 1.2}) {
     layers.push_back({{"elevation_deg", elevation}, {"azimuth_deg", {{"from", 20}, {"to", -20}, {"step", 1.0}}}});
   }
-  return {{"format", "fidelis-sensor"}, {"version", 1}, {"id", "small"},
-          {"emitter", {{"wavelength_nm", 905}, {"peak_power_w", 50}, {"pulse_fwhm_ns", 4.5},
-                       {"divergence_rad", {{"horizontal", 0.002}, {"vertical", 0.004}}}, {"beam_profile", "uniform"}}},
+  return {{"format", "fidelis-sensor"},
+          {"version", 1},
+          {"id", "small"},
+          {"emitter",
+           {{"wavelength_nm", 905},
+            {"peak_power_w", 50},
+            {"pulse_fwhm_ns", 4.5},
+            {"divergence_rad", {{"horizontal", 0.002}, {"vertical", 0.004}}},
+            {"beam_profile", "uniform"}}},
           {"receiver", {{"aperture_diameter_m", 0.02}, {"efficiency", 0.6}, {"noise_w", 2e-9}, {"threshold_w", 2e-8}}},
           {"scan", {{"frame_rate_hz", 12.5}, {"duty", 0.4}, {"direction", "left-to-right"}, {"layers", layers}}},
-          {"detection", {{"max_echoes", 3}, {"echo_separation_m", 0.8}, {"range_mode", "peak"}, {"min_range_m", 0.3},
-                         {"max_range_m", 150}, {"range_resolution_m", 0.01}, {"epw_resolution_m", 0.04},
-                         {"intensity_resolution", 5}, {"range_noise_m", 0.015}, {"epw_noise_m", 0.05},
-                         {"output", {"range", "epw", "intensity"}}}}};
+          {"detection",
+           {{"max_echoes", 3},
+            {"echo_separation_m", 0.8},
+            {"range_mode", "peak"},
+            {"min_range_m", 0.3},
+            {"max_range_m", 150},
+            {"range_resolution_m", 0.01},
+            {"epw_resolution_m", 0.04},
+            {"intensity_resolution", 5},
+            {"range_noise_m", 0.015},
+            {"epw_noise_m", 0.05},
+            {"output", {"range", "epw", "intensity"}}}}};
 }
 
 json experimentJson(double reflectivity, const std::map<std::string, double>& offset_m) {
   json samples = json::array();
-  const std::map<double, std::string> roles = {{8, "calibration"}, {13, "validation"}, {19, "prediction"},
+  const std::map<double, std::string> roles = {{8, "calibration"},  {13, "validation"}, {19, "prediction"},
                                                {27, "calibration"}, {36, "prediction"}, {46, "validation"}};
   for (const auto& [range_m, role] : roles) {
     const std::string id = "r" + std::to_string(static_cast<int>(range_m));
     const auto offset = offset_m.find(id);
     const double placed_m = range_m + (offset == offset_m.end() ? 0.0 : offset->second);
-    samples.push_back({{"id", id}, {"role", role}, {"parameters", {{"stand_off_m", range_m}}},
+    samples.push_back({{"id", id},
+                       {"role", role},
+                       {"parameters", {{"stand_off_m", range_m}}},
                        {"patch", {{{"op", "replace"}, {"path", "/scene/0/pose/position_m/0"}, {"value", placed_m}}}},
-                       {"frames", 20}, {"measurements", "measurements/" + id + ".csv"}});
+                       {"frames", 20},
+                       {"measurements", "measurements/" + id + ".csv"}});
   }
-  return {{"format", "fidelis-experiment"}, {"version", 1}, {"id", "small"}, {"source", "synthetic"},
+  return {{"format", "fidelis-experiment"},
+          {"version", 1},
+          {"id", "small"},
+          {"source", "synthetic"},
           {"sensor", sensorJson()},
-          {"measurands", {{{"name", "range"}, {"column", "range_m"}, {"unit", "m"}, {"resolution", 0.01}},
-                          {{"name", "epw"}, {"column", "epw_m"}, {"unit", "m"}, {"resolution", 0.04}},
-                          {{"name", "intensity"}, {"column", "intensity"}, {"unit", "nW"}, {"resolution", 5}}}},
+          {"measurands",
+           {{{"name", "range"}, {"column", "range_m"}, {"unit", "m"}, {"resolution", 0.01}},
+            {{"name", "epw"}, {"column", "epw_m"}, {"unit", "m"}, {"resolution", 0.04}},
+            {{"name", "intensity"}, {"column", "intensity"}, {"unit", "nW"}, {"resolution", 5}}}},
           {"materials", {{"plaster", {{"reflectivity", reflectivity}}}}},
-          {"scene", {{{"id", "wall"}, {"shape", {{"type", "rectangle"}, {"width_m", 60}, {"height_m", 12}}},
-                      {"pose", {{"position_m", {10, 0, 0}}, {"yaw_pitch_roll_deg", {0, 0, 0}}}},
-                      {"material", "plaster"}}}},
+          {"scene",
+           {{{"id", "wall"},
+             {"shape", {{"type", "rectangle"}, {"width_m", 60}, {"height_m", 12}}},
+             {"pose", {{"position_m", {10, 0, 0}}, {"yaw_pitch_roll_deg", {0, 0, 0}}}},
+             {"material", "plaster"}}}},
           {"samples", samples}};
 }
 
 }  // namespace
 
 model::LidarModel SmallWorld::modelWith(const Effects& effects, const std::map<std::string, double>& sensor) {
-  json value = {{"format", "fidelis-model"}, {"version", 1}, {"id", "small"}, {"sensor", sensorJson()},
-                {"rays_per_beam", {7, 7}}, {"seed", 1}, {"effects", {{"beam-divergence", json::object()}}}};
+  json value = {{"format", "fidelis-model"},
+                {"version", 1},
+                {"id", "small"},
+                {"sensor", sensorJson()},
+                {"rays_per_beam", {7, 7}},
+                {"seed", 1},
+                {"effects", {{"beam-divergence", json::object()}}}};
   for (const auto& [name, parameters] : effects) value["effects"][name] = parameters;
   for (const auto& [pointer, number] : sensor) value[json::json_pointer(pointer)] = number;
   return model::parseModel(value, "small-model.json");
@@ -63,8 +91,9 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
                                          const std::map<std::string, double>& offset_m) const {
   core::SilentProgress progress;
   const auto real = model::parseExperiment(experimentJson(true_reflectivity, offset_m), folder_ / "experiment.json");
-  const auto measured = folder_ / ("measured-" + std::to_string(std::distance(
-      std::filesystem::directory_iterator(folder_.path()), std::filesystem::directory_iterator())));
+  const auto measured =
+      folder_ / ("measured-" + std::to_string(std::distance(std::filesystem::directory_iterator(folder_.path()),
+                                                            std::filesystem::directory_iterator())));
   model::simulatePackage(real, truth, measured, 4711, progress);  // another seed than the model under test
   core::writeJson(measured / "experiment.json", experimentJson(reflectivity_, {}));  // what was recorded
   return model::readExperiment(measured);

@@ -22,8 +22,15 @@ TEST(Where, ExcessCountsWhatTheErrorLeavesInStepsOfTheResolution) {
 }
 
 TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
-  gap::WhereRow row{.measurand = "epw", .component = "bias", .covariate = "range_m", .low = 28.1, .high = 69.0,
-                    .value = -0.27, .unit = "m", .share = 0.62, .size = 0.4};
+  gap::WhereRow row{.measurand = "epw",
+                    .component = "bias",
+                    .covariate = "range_m",
+                    .low = 28.1,
+                    .high = 69.0,
+                    .value = -0.27,
+                    .unit = "m",
+                    .share = 0.62,
+                    .size = 0.4};
   EXPECT_EQ(gap::whereSentence(row),
             "Measured epw is smaller than simulated by 0.27 m where range_m is 28.1 to 69 (62 % of this gap in 40 % of "
             "the data).");

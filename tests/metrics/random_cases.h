@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/random.h"
-#include "metrics/edf.h"
-#include "metrics/p_box.h"
+#include "metrics/distributions/edf.h"
+#include "metrics/distributions/p_box.h"
 
 namespace metrics_test {
 

@@ -1,8 +1,7 @@
 #include "model/beams.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numeric>
 
 #include "core/physics.h"
@@ -13,7 +12,10 @@ namespace model {
 namespace {
 
 Scan scanOf(double from_deg, double to_deg, double step_deg, bool left_to_right) {
-  return {.frame_rate_hz = 12.5, .duty = 0.4, .left_to_right = left_to_right, .layers = {{0.0, from_deg, to_deg, step_deg}}};
+  return {.frame_rate_hz = 12.5,
+          .duty = 0.4,
+          .left_to_right = left_to_right,
+          .layers = {{0.0, from_deg, to_deg, step_deg}}};
 }
 
 TEST(Beams, BothEndsOfTheScanAreIncluded) {
@@ -24,12 +26,13 @@ TEST(Beams, BothEndsOfTheScanAreIncluded) {
 }
 
 TEST(Beams, AnEndThatTheStepMissesIsLeftOut) {
-  EXPECT_EQ(beamsOf(scanOf(0, 1, 0.3, true)).size(), 4u);  // 0, 0.3, 0.6, 0.9
+  EXPECT_EQ(beamsOf(scanOf(0, 1, 0.3, true)).size(), 4u);    // 0, 0.3, 0.6, 0.9
   EXPECT_EQ(beamsOf(scanOf(0, 0.9, 0.3, true)).size(), 4u);  // 0.9 / 0.3 is 2.999… in binary
   EXPECT_EQ(beamsOf(scanOf(5, 5, 0.3, true)).size(), 1u);
 }
 
-// t = k/n · duty / frame_rate for the k-th beam fired; left-to-right means falling azimuth, however `from` and `to` stand.
+// t = k/n · duty / frame_rate for the k-th beam fired; left-to-right means falling azimuth, however `from` and `to`
+// stand.
 TEST(Beams, DirectionAloneDecidesTheOrderOfFiring) {
   for (const bool falling : {true, false}) {
     for (const auto& [from, to] : {std::pair{10.0, -10.0}, std::pair{-10.0, 10.0}}) {
@@ -59,7 +62,8 @@ TEST(Beams, LayersOfAnAzimuthAreFiredTogether) {
 
 TEST(Beams, OwnDirectionsAreReadPointByPoint) {
   const test_support::TemporaryFolder folder;
-  const auto beams = readBeams(folder.write("b.csv", "layer,azimuth_rad,elevation_rad,time_s\n0,0.1,-0.02,0\n2,-0.1,0.03,0.004\n"));
+  const auto beams =
+      readBeams(folder.write("b.csv", "layer,azimuth_rad,elevation_rad,time_s\n0,0.1,-0.02,0\n2,-0.1,0.03,0.004\n"));
   ASSERT_EQ(beams.size(), 2u);
   EXPECT_EQ(beams[1].layer, 2);
   EXPECT_EQ(beams[1].azimuth_rad, -0.1);

@@ -1,8 +1,7 @@
 #include "model/effect.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "tests/model/effects/effect_bench.h"
@@ -27,9 +26,11 @@ TEST(Effects, DeclareThemselvesCompletely) {
     for (const ParameterInfo& parameter : info.parameters) {
       known.insert(parameter.name);
       EXPECT_LT(parameter.min, parameter.max) << info.name << " " << parameter.name;
-      EXPECT_TRUE(parameter.typical >= parameter.min && parameter.typical <= parameter.max) << info.name << " " << parameter.name;
+      EXPECT_TRUE(parameter.typical >= parameter.min && parameter.typical <= parameter.max)
+          << info.name << " " << parameter.name;
       if (parameter.default_value) {
-        EXPECT_TRUE(*parameter.default_value >= parameter.min && *parameter.default_value <= parameter.max) << parameter.name;
+        EXPECT_TRUE(*parameter.default_value >= parameter.min && *parameter.default_value <= parameter.max)
+            << parameter.name;
       }
       EXPECT_FALSE(parameter.meaning.empty());
     }
@@ -48,7 +49,8 @@ lab::Case noisyCase() {
   setup.sensor["detection"]["epw_noise_m"] = 0.03;
   setup.rays_per_beam = {3, 3};
   setup.effects["beam-divergence"] = json::object();
-  setup.scene = {lab::board(30, 60), lab::object("post", {{"type", "cylinder"}, {"radius_m", 0.2}, {"height_m", 4}}, {12, 0.2, 0})};
+  setup.scene = {lab::board(30, 60),
+                 lab::object("post", {{"type", "cylinder"}, {"radius_m", 0.2}, {"height_m", 4}}, {12, 0.2, 0})};
   setup.frames = 20;
   return setup;
 }
@@ -60,19 +62,29 @@ bool same(const core::Detections& a, const core::Detections& b) {
 // An effect whose strength is nothing is as good as off, to the last bit: it takes no random number from anybody else.
 TEST(Effects, WithoutStrengthChangeNoByte) {
   const core::Detections off = lab::fire(noisyCase());
-  const std::pair<const char*, json> neutral[] = {
-      {"aperture-offset", {{"offset_m", 0}}},      {"mounting-error", {{"yaw_deg", 0}}},
-      {"pulse-jitter", {{"power_stddev", 0}}},     {"atmospheric-attenuation", json::object()},
-      {"crosstalk", {{"rate_1_s", 0}}},            {"angular-reflection", json::object()},
-      {"surface-moisture", {{"wetness", 0}}},      {"retroreflection", json::object()},
-      {"cover-contamination", {{"attenuation", 0}}}, {"photo-response-nonuniformity", {{"stddev", 0}}},
-      {"background-light", json::object()},        {"thermal-noise", json::object()},
-      {"saturation", json::object()},              {"dead-time", {{"dead_time_ns", 1}}},
-      {"dynamic-threshold", {{"factor", 5}}},      {"quantisation", json::object()},
-      {"range-gating", json::object()},            {"echo-merging", json::object()},
-      {"clock-drift", json::object()},             {"range-offset", json::object()},
-      {"angle-clipping", json::object()},          {"false-alarm", json::object()},
-      {"detection-loss", json::object()}};
+  const std::pair<const char*, json> neutral[] = {{"aperture-offset", {{"offset_m", 0}}},
+                                                  {"mounting-error", {{"yaw_deg", 0}}},
+                                                  {"pulse-jitter", {{"power_stddev", 0}}},
+                                                  {"atmospheric-attenuation", json::object()},
+                                                  {"crosstalk", {{"rate_1_s", 0}}},
+                                                  {"angular-reflection", json::object()},
+                                                  {"surface-moisture", {{"wetness", 0}}},
+                                                  {"retroreflection", json::object()},
+                                                  {"cover-contamination", {{"attenuation", 0}}},
+                                                  {"photo-response-nonuniformity", {{"stddev", 0}}},
+                                                  {"background-light", json::object()},
+                                                  {"thermal-noise", json::object()},
+                                                  {"saturation", json::object()},
+                                                  {"dead-time", {{"dead_time_ns", 1}}},
+                                                  {"dynamic-threshold", {{"factor", 5}}},
+                                                  {"quantisation", json::object()},
+                                                  {"range-gating", json::object()},
+                                                  {"echo-merging", json::object()},
+                                                  {"clock-drift", json::object()},
+                                                  {"range-offset", json::object()},
+                                                  {"angle-clipping", json::object()},
+                                                  {"false-alarm", json::object()},
+                                                  {"detection-loss", json::object()}};
   for (const auto& [name, parameters] : neutral) {
     lab::Case setup = noisyCase();
     setup.effects[name] = parameters;

@@ -1,8 +1,7 @@
 #include "model/experiment.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "core/file.h"
@@ -38,12 +37,13 @@ TEST(Experiment, DefaultsAreThoseOfTheFormat) {
 
 TEST(Experiment, PatchChangesOneSampleOnly) {
   json value = package();
-  value["samples"].push_back({{"id", "far"},
-                              {"frames", 1},
-                              {"patch",
-                               {{{"op", "replace"}, {"path", "/scene/0/pose/position_m/0"}, {"value", 25}},
-                                {{"op", "add"}, {"path", "/environment/rain_rate_mm_h"}, {"value", 4}},
-                                {{"op", "add"}, {"path", "/scene/-"}, {"value", lab::board(30, 1, "grey", "second")}}}}});
+  value["samples"].push_back(
+      {{"id", "far"},
+       {"frames", 1},
+       {"patch",
+        {{{"op", "replace"}, {"path", "/scene/0/pose/position_m/0"}, {"value", 25}},
+         {{"op", "add"}, {"path", "/environment/rain_rate_mm_h"}, {"value", 4}},
+         {{"op", "add"}, {"path", "/scene/-"}, {"value", lab::board(30, 1, "grey", "second")}}}}});
   const Experiment experiment = parseExperiment(value, "pkg/experiment.json");
   EXPECT_EQ(situationOf(experiment, experiment.samples[0]).scene.objects[0].pose.position_m[0], 10.0);
   const Situation patched = situationOf(experiment, experiment.samples[1]);
@@ -92,7 +92,8 @@ TEST(Experiment, UnknownKeysAreNamedWithTheNearestOne) {
   value["enviroment"] = value["environment"];
   value.erase("environment");
   EXPECT_EQ(refusalOf(value),
-            "pkg/experiment.json, /enviroment: is an unknown key.\n  Did you mean 'environment'? Keys of your own begin with 'x-'.");
+            "pkg/experiment.json, /enviroment: is an unknown key.\n  Did you mean 'environment'? Keys of your own "
+            "begin with 'x-'.");
   value = package();
   value["samples"][0]["fames"] = 3;
   EXPECT_NE(refusalOf(value).find("/samples/0/fames: is an unknown key.\n  Did you mean 'frames'?"), std::string::npos);
@@ -125,7 +126,8 @@ TEST(Experiment, MissingAndDoubledPartsAreRefused) {
 TEST(Experiment, MissingSensorProfileIsNamed) {
   json value = package();
   value["sensor"] = "no-such-scanner";
-  EXPECT_NE(refusalOf(value).find("pkg/experiment.json, /sensor: there is no sensor profile 'no-such-scanner'."), std::string::npos);
+  EXPECT_NE(refusalOf(value).find("pkg/experiment.json, /sensor: there is no sensor profile 'no-such-scanner'."),
+            std::string::npos);
 }
 
 TEST(Experiment, SamplesOfSeveralSensorsNameTheirs) {
@@ -146,8 +148,10 @@ TEST(Experiment, FilesOutsideThePackageAreRefused) {
     for (const std::string key : {"measurements", "beams"}) {
       json value = package();
       value["samples"][0][key] = path;
-      EXPECT_NE(refusalOf(value).find("/samples/0/" + key + ": '" + path + "' does not name a file inside the package."),
-                std::string::npos) << key << " " << path;
+      EXPECT_NE(
+          refusalOf(value).find("/samples/0/" + key + ": '" + path + "' does not name a file inside the package."),
+          std::string::npos)
+          << key << " " << path;
     }
   }
   json value = package();
@@ -158,7 +162,8 @@ TEST(Experiment, FilesOutsideThePackageAreRefused) {
 TEST(Experiment, UnknownSampleOrMeasurandSuggestsTheNearest) {
   const Experiment experiment = parseExperiment(package(), "pkg/experiment.json");
   EXPECT_EQ(experiment.measurand("range").column, "range_m");
-  EXPECT_NE(lab::refusal([&] { (void)experiment.measurand("rnage"); }).find("Did you mean 'range'?"), std::string::npos);
+  EXPECT_NE(lab::refusal([&] { (void)experiment.measurand("rnage"); }).find("Did you mean 'range'?"),
+            std::string::npos);
   EXPECT_NE(lab::refusal([&] { (void)experiment.sampleIndex("S1"); }).find("has no sample 'S1'"), std::string::npos);
 }
 
@@ -182,8 +187,9 @@ TEST(Experiment, GateSelectsWhatLiesInTheWidenedBox) {
   const Experiment experiment = parseExperiment(value, "pkg/experiment.json");
   const Situation situation = situationOf(experiment, experiment.samples[0]);
   // Turned by 90°: 2 m along x, 4 m along y.
-  const auto inside = insideGate(detectionsAt({{8.95, 0, 0}, {8.85, 0, 0}, {10, 2.05, 0}, {10, 2.15, 0}, {10, 0, 0.59}, {10, 0, 0.61}}),
-                                 situation, experiment.gates[0]);
+  const auto inside =
+      insideGate(detectionsAt({{8.95, 0, 0}, {8.85, 0, 0}, {10, 2.05, 0}, {10, 2.15, 0}, {10, 0, 0.59}, {10, 0, 0.61}}),
+                 situation, experiment.gates[0]);
   EXPECT_EQ(inside.size(), 3u);
   value["gates"][0]["object"] = "van";
   EXPECT_NE(refusalOf(value).find("/gates/0/object: 'van' is not in the scene."), std::string::npos);
@@ -196,15 +202,17 @@ TEST(Experiment, GateOfAMeshIsTheMeshsOwnBox) {
   value["scene"] = {lab::object("t", {{"type", "mesh"}, {"file", "t.obj"}}, {10, 0, 0})};
   value["gates"] = {{{"id", "g"}, {"object", "t"}, {"margin_m", 0.1}}};
   const Experiment experiment = parseExperiment(value, folder / "experiment.json");
-  const auto inside = insideGate(detectionsAt({{10.5, 1, 1}, {9.95, 0, 0}, {9.8, 0, 0}, {10, -0.2, 0}, {11.05, 1, 2.9}}),
-                                 situationOf(experiment, experiment.samples[0]), experiment.gates[0]);
+  const auto inside =
+      insideGate(detectionsAt({{10.5, 1, 1}, {9.95, 0, 0}, {9.8, 0, 0}, {10, -0.2, 0}, {11.05, 1, 2.9}}),
+                 situationOf(experiment, experiment.samples[0]), experiment.gates[0]);
   EXPECT_EQ(inside.size(), 3u);
 }
 
 TEST(Experiment, MeasurementsAreReadWithMappedColumnsAndGzip) {
   const test_support::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "measurements");
-  core::writeFile(folder / "measurements/s.csv.gz", "frame,layer,azimuth_rad,elevation_rad,Distance,w,other\r\n3,1,0.1,-0.2,9.5,2.25,7\r\n");
+  core::writeFile(folder / "measurements/s.csv.gz",
+                  "frame,layer,azimuth_rad,elevation_rad,Distance,w,other\r\n3,1,0.1,-0.2,9.5,2.25,7\r\n");
   json value = package();
   value["columns"] = {{"range_m", "Distance"}, {"epw_m", "w"}};
   value["samples"][0]["measurements"] = "measurements/s.csv.gz";
@@ -229,7 +237,8 @@ TEST(Experiment, DirectionsMayBeUnrecorded) {
   EXPECT_FALSE(readMeasurements(experiment, experiment.samples[0]).hasDirections());
   value["samples"][0]["measurements"] = "half.csv";
   const Experiment half = parseExperiment(value, folder / "experiment.json");
-  EXPECT_NE(lab::refusal([&] { (void)readMeasurements(half, half.samples[0]); }).find("only some of the columns"), std::string::npos);
+  EXPECT_NE(lab::refusal([&] { (void)readMeasurements(half, half.samples[0]); }).find("only some of the columns"),
+            std::string::npos);
 }
 
 TEST(Experiment, FilesOfASampleAreAllItDependsOn) {
@@ -238,8 +247,9 @@ TEST(Experiment, FilesOfASampleAreAllItDependsOn) {
   value["samples"][0]["measurements"] = "s.csv";
   value["samples"][0]["beams"] = "beams.csv";
   const Experiment experiment = parseExperiment(value, "pkg/experiment.json");
-  EXPECT_EQ(filesOf(experiment, experiment.samples[0]),
-            (std::vector<std::filesystem::path>{"pkg/experiment.json", "pkg/s.csv", "pkg/beams.csv", "pkg/meshes/m.obj"}));
+  EXPECT_EQ(
+      filesOf(experiment, experiment.samples[0]),
+      (std::vector<std::filesystem::path>{"pkg/experiment.json", "pkg/s.csv", "pkg/beams.csv", "pkg/meshes/m.obj"}));
 }
 
 }  // namespace

@@ -46,8 +46,13 @@ json experimentJson(const Case& setup) {
 }
 
 json modelJson(const Case& setup) {
-  return {{"format", "fidelis-model"},    {"version", 1},       {"id", "bench"},           {"sensor", setup.sensor},
-          {"rays_per_beam", setup.rays_per_beam}, {"seed", setup.seed}, {"effects", setup.effects}};
+  return {{"format", "fidelis-model"},
+          {"version", 1},
+          {"id", "bench"},
+          {"sensor", setup.sensor},
+          {"rays_per_beam", setup.rays_per_beam},
+          {"seed", setup.seed},
+          {"effects", setup.effects}};
 }
 
 Experiment experimentOf(const Case& setup) { return parseExperiment(experimentJson(setup), setup.file); }

@@ -13,8 +13,10 @@ std::string refusalOf(const nlohmann::json& json) {
 
 TEST(LidarModel, EffectsStandInTheOrderOfTheChain) {
   lab::Case setup;
-  setup.effects = {{"angle-clipping", nlohmann::json::object()}, {"range-offset", {{"offset_m", 0.1}}},
-                   {"beam-divergence", nlohmann::json::object()}, {"atmospheric-attenuation", {{"visibility_m", 500}}}};
+  setup.effects = {{"angle-clipping", nlohmann::json::object()},
+                   {"range-offset", {{"offset_m", 0.1}}},
+                   {"beam-divergence", nlohmann::json::object()},
+                   {"atmospheric-attenuation", {{"visibility_m", 500}}}};
   const LidarModel model = lab::modelOf(setup);
   ASSERT_EQ(model.effects.size(), 4u);
   EXPECT_EQ(model.effects[0].name, "beam-divergence");
@@ -26,12 +28,14 @@ TEST(LidarModel, EffectsStandInTheOrderOfTheChain) {
 TEST(LidarModel, FaultsAreNamed) {
   nlohmann::json json = lab::modelJson({});
   json["effects"] = {{"atmospheric-atenuation", nlohmann::json::object()}};
-  EXPECT_NE(refusalOf(json).find("/effects/atmospheric-atenuation: is not an effect of this library.\n  Did you mean 'atmospheric-attenuation'?"),
+  EXPECT_NE(refusalOf(json).find("/effects/atmospheric-atenuation: is not an effect of this library.\n  Did you mean "
+                                 "'atmospheric-attenuation'?"),
             std::string::npos);
   json["effects"] = {{"atmospheric-attenuation", {{"visibilty_m", 100}}}};
   EXPECT_NE(refusalOf(json).find("Did you mean 'visibility_m'?"), std::string::npos);
   json["effects"] = {{"atmospheric-attenuation", {{"visibility_m", 1}}}};
-  EXPECT_NE(refusalOf(json).find("/effects/atmospheric-attenuation/visibility_m: is 1; it must be at least 20"), std::string::npos);
+  EXPECT_NE(refusalOf(json).find("/effects/atmospheric-attenuation/visibility_m: is 1; it must be at least 20"),
+            std::string::npos);
   json = lab::modelJson({});
   json["rays_per_beam"] = {0, 5};
   EXPECT_NE(refusalOf(json).find("/rays_per_beam"), std::string::npos);

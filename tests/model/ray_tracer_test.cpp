@@ -1,8 +1,7 @@
 #include "model/ray_tracer.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <optional>
 
 #include "core/physics.h"
@@ -166,8 +165,9 @@ TEST(RayTracer, CylinderIsMetWhereGeometrySays) {
 }
 
 TEST(RayTracer, BoxIsMetWhereGeometrySays) {
-  expectAgreement(Box{{2.0, 1.2, 1.7}}, kOblique, 0.09, 1e-9, 1e-9,
-                  [](const LocalRay& ray) { return meetBox(ray, {2.0, 1.2, 1.7}); });
+  expectAgreement(Box{{2.0, 1.2, 1.7}}, kOblique, 0.09, 1e-9, 1e-9, [](const LocalRay& ray) {
+    return meetBox(ray, {2.0, 1.2, 1.7});
+  });
 }
 
 TEST(RayTracer, RectangleIsMetWhereGeometrySays) {

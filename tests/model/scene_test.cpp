@@ -1,8 +1,7 @@
 #include "model/scene.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "core/physics.h"
 #include "tests/model/lab.h"
@@ -47,19 +46,24 @@ TEST(Scene, FaultsAreNamedWithPointerAndRemedy) {
   using nlohmann::json;
   json misspelt = lab::board(10);
   misspelt["velocty_m_s"] = {0, 0, 0};
-  EXPECT_NE(refusalOf({misspelt}).find("experiment.json, /scene/0/velocty_m_s: is an unknown key.\n  Did you mean 'velocity_m_s'?"),
+  EXPECT_NE(refusalOf({misspelt})
+                .find("experiment.json, /scene/0/velocty_m_s: is an unknown key.\n  Did you mean 'velocity_m_s'?"),
             std::string::npos);
   json own = lab::board(10);
   own["x-note"] = "kept for myself";
   EXPECT_EQ(refusalOf({own}), "");
   EXPECT_NE(refusalOf({lab::board(10, 1, "gray")}).find("Did you mean 'grey'?"), std::string::npos);
   EXPECT_NE(refusalOf({lab::board(10), lab::board(12)}).find("/scene/1/id: 'board' stands twice"), std::string::npos);
-  EXPECT_NE(refusalOf({lab::object("s", {{"type", "sphere"}, {"radius_m", -1}}, {1, 0, 0})}).find("/scene/0/shape/radius_m"),
+  EXPECT_NE(
+      refusalOf({lab::object("s", {{"type", "sphere"}, {"radius_m", -1}}, {1, 0, 0})}).find("/scene/0/shape/radius_m"),
+      std::string::npos);
+  EXPECT_NE(refusalOf({lab::object("s", {{"type", "spere"}}, {1, 0, 0})}).find("Did you mean 'sphere'?"),
             std::string::npos);
-  EXPECT_NE(refusalOf({lab::object("s", {{"type", "spere"}}, {1, 0, 0})}).find("Did you mean 'sphere'?"), std::string::npos);
-  EXPECT_NE(refusalOf({lab::object("s", {{"type", "box"}, {"size_m", {1, 0, 1}}}, {1, 0, 0})}).find("size_m"), std::string::npos);
+  EXPECT_NE(refusalOf({lab::object("s", {{"type", "box"}, {"size_m", {1, 0, 1}}}, {1, 0, 0})}).find("size_m"),
+            std::string::npos);
   EXPECT_NE(refusalOf({}, {{"grey", {{"reflectivity", 1.5}}}}).find("/materials/grey/reflectivity"), std::string::npos);
-  EXPECT_NE(refusalOf({}, {{"grey", {{"reflectivity", 0.5}, {"brdf", {{"model", "phong"}, {"exponent", 3}}}}}}).find("diffuse_fraction: is missing"),
+  EXPECT_NE(refusalOf({}, {{"grey", {{"reflectivity", 0.5}, {"brdf", {{"model", "phong"}, {"exponent", 3}}}}}})
+                .find("diffuse_fraction: is missing"),
             std::string::npos);
 }
 

@@ -31,11 +31,13 @@ TEST(SensorProfile, IsReadAsWritten) {
 TEST(SensorProfile, FaultsAreNamedWithPointer) {
   nlohmann::json json = lab::sensor();
   json["receiver"]["treshold_w"] = 1e-9;
-  EXPECT_NE(refusalOf(json).find("m.json, /sensor/receiver/treshold_w: is an unknown key.\n  Did you mean 'threshold_w'?"),
-            std::string::npos);
+  EXPECT_NE(
+      refusalOf(json).find("m.json, /sensor/receiver/treshold_w: is an unknown key.\n  Did you mean 'threshold_w'?"),
+      std::string::npos);
   json = lab::sensor();
   json["scan"]["layers"][0]["azimuth_deg"]["step"] = 0;
-  EXPECT_NE(refusalOf(json).find("/sensor/scan/layers/0/azimuth_deg/step: is 0; it must be greater than 0"), std::string::npos);
+  EXPECT_NE(refusalOf(json).find("/sensor/scan/layers/0/azimuth_deg/step: is 0; it must be greater than 0"),
+            std::string::npos);
   json = lab::sensor();
   json["emitter"].erase("pulse_fwhm_ns");
   EXPECT_NE(refusalOf(json).find("/sensor/emitter/pulse_fwhm_ns: is missing."), std::string::npos);

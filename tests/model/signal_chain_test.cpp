@@ -1,19 +1,18 @@
 #include "model/signal_chain.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "tests/model/lab.h"
 
 namespace model {
 namespace {
 
+using lab::Case;
 using lab::epwLaw;
 using lab::fire;
 using lab::radarEquation;
-using lab::Case;
 
 Case wallAt(double range_m, double reflectivity = 0.5) {
   Case setup;
@@ -62,7 +61,8 @@ Case target(double range_m, double width_m, double height_m) {
   Case setup;
   setup.effects["beam-divergence"] = {{"horizontal_rad", 0.02}, {"vertical_rad", 0.02}};
   setup.rays_per_beam = {401, 401};
-  setup.scene = {lab::object("t", {{"type", "rectangle"}, {"width_m", width_m}, {"height_m", height_m}}, {range_m, 0, 0})};
+  setup.scene = {
+      lab::object("t", {{"type", "rectangle"}, {"width_m", width_m}, {"height_m", height_m}}, {range_m, 0, 0})};
   return setup;
 }
 
@@ -70,21 +70,22 @@ TEST(SignalChain, WallFallsWithTheSquareOfTheRange) {
   EXPECT_NEAR(exponentBetween(target(10, 20, 20), 10, target(40, 20, 20), 40), -2.0, 1e-3);
 }
 
-// A strip narrower than the beam takes the share b / (φ r) of it. Sub-rays count in whole columns: widths and ranges are
-// chosen so that the strip's edges fall between two columns (b/(φ r) = odd/401).
+// A strip narrower than the beam takes the share b / (φ r) of it. Sub-rays count in whole columns: widths and ranges
+// are chosen so that the strip's edges fall between two columns (b/(φ r) = odd/401).
 TEST(SignalChain, WireFallsWithTheThirdPower) {
   const double width = 101.0 / 401.0 * 2.0 * std::tan(0.01) * 10.0;
-  EXPECT_NEAR(exponentBetween(target(10, width, 20), 10, target(10 * 101.0 / 25.0, width, 20), 10 * 101.0 / 25.0), -3.0, 2e-3);
+  EXPECT_NEAR(exponentBetween(target(10, width, 20), 10, target(10 * 101.0 / 25.0, width, 20), 10 * 101.0 / 25.0), -3.0,
+              2e-3);
 }
 
 TEST(SignalChain, SmallTargetFallsWithTheFourthPower) {
   const double width = 101.0 / 401.0 * 2.0 * std::tan(0.01) * 10.0;
-  EXPECT_NEAR(exponentBetween(target(10, width, width), 10, target(10 * 101.0 / 25.0, width, width), 10 * 101.0 / 25.0), -4.0,
-              4e-3);
+  EXPECT_NEAR(exponentBetween(target(10, width, width), 10, target(10 * 101.0 / 25.0, width, width), 10 * 101.0 / 25.0),
+              -4.0, 4e-3);
 }
 
-// Absolute: a disc of area A in a uniform beam of φ × ψ takes A / (φ r · ψ r). A sphere of radius a seen from afar returns
-// per projected area the mean of cos θ over its disc: 2/3.
+// Absolute: a disc of area A in a uniform beam of φ × ψ takes A / (φ r · ψ r). A sphere of radius a seen from afar
+// returns per projected area the mean of cos θ over its disc: 2/3.
 TEST(SignalChain, SmallSphereReturnsTwoThirdsOfADiscsPower) {
   Case setup = target(30, 1, 1);
   setup.scene = {lab::object("ball", {{"type", "sphere"}, {"radius_m", 0.1}}, {30, 0, 0})};
@@ -128,8 +129,8 @@ TEST(SignalChain, SurfacesCloserThanTheSeparationAreOneEcho) {
   ASSERT_EQ(merged.size(), 1u);
   EXPECT_NEAR(merged.range_m[0], 10, 1e-4);
   EXPECT_NEAR(merged.intensity[0], 0.5e9 * radarEquation(10), 1.0);
-  EXPECT_NEAR(merged.epw_m[0],
-              2 * 5.0 + epwLaw(0.5 * radarEquation(10)) / 2 + epwLaw(0.5 * radarEquation(15)) / 2, 1e-4);
+  EXPECT_NEAR(merged.epw_m[0], 2 * 5.0 + epwLaw(0.5 * radarEquation(10)) / 2 + epwLaw(0.5 * radarEquation(15)) / 2,
+              1e-4);
   setup.sensor["detection"]["echo_separation_m"] = 4.99;
   EXPECT_EQ(fire(setup).size(), 2u);
 }
@@ -141,8 +142,9 @@ TEST(SignalChain, MergingGoesFromEachEchoToTheNext) {
   setup.rays_per_beam = {3, 1};
   setup.sensor["detection"]["echo_separation_m"] = 5.0;
   setup.materials["dark"] = {{"reflectivity", 0.1}};
-  setup.scene = {lab::object("a", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {10, 1.005, 0}, {0, 0, 0}, "dark"),
-                 lab::object("b", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {14, 0.993, 0}), lab::board(18)};
+  setup.scene = {
+      lab::object("a", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {10, 1.005, 0}, {0, 0, 0}, "dark"),
+      lab::object("b", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {14, 0.993, 0}), lab::board(18)};
   const auto merged = fire(setup);
   ASSERT_EQ(merged.size(), 1u);
   EXPECT_NEAR(merged.range_m[0], 14, 1e-4);  // the highest peak
@@ -265,7 +267,8 @@ TEST(SignalChain, SubRaysOnOneObjectCountAtTheirMeanRange) {
 
 TEST(SignalChain, DirectionsAreTheBeamsCentres) {
   Case setup = wallAt(20);
-  setup.sensor["scan"]["layers"][0] = {{"elevation_deg", 1.5}, {"azimuth_deg", {{"from", 10}, {"to", -10}, {"step", 5}}}};
+  setup.sensor["scan"]["layers"][0] = {{"elevation_deg", 1.5},
+                                       {"azimuth_deg", {{"from", 10}, {"to", -10}, {"step", 5}}}};
   setup.frames = 2;
   const auto detections = fire(setup);
   ASSERT_EQ(detections.size(), 10u);
@@ -286,7 +289,7 @@ TEST(SignalChain, OnlyTheListedOutputsAreThere) {
 
 TEST(SignalChain, BlackOrTouchingSurfacesAreNoTrouble) {
   EXPECT_EQ(fire(wallAt(10, 0.0)).size(), 0u);
-  EXPECT_LE(fire(wallAt(0.0)).size(), 1u);    // the sensor stands in the board
+  EXPECT_LE(fire(wallAt(0.0)).size(), 1u);  // the sensor stands in the board
   EXPECT_LE(fire(wallAt(1e-7)).size(), 1u);
 }
 

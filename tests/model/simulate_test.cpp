@@ -1,9 +1,8 @@
 #include "model/simulate.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
+#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -21,14 +20,18 @@ namespace fs = std::filesystem;
 /// A noisy scan over a wall with a post before it: several echoes, several layers, partial hits.
 lab::Case busyCase() {
   lab::Case setup;
-  setup.sensor["scan"]["layers"] = {{{"elevation_deg", 0.0}, {"azimuth_deg", {{"from", 20}, {"to", -20}, {"step", 0.25}}}},
-                                    {{"elevation_deg", -2.0}, {"azimuth_deg", {{"from", 20}, {"to", -20}, {"step", 0.25}}}}};
+  setup.sensor["scan"]["layers"] = {
+      {{"elevation_deg", 0.0}, {"azimuth_deg", {{"from", 20}, {"to", -20}, {"step", 0.25}}}},
+      {{"elevation_deg", -2.0}, {"azimuth_deg", {{"from", 20}, {"to", -20}, {"step", 0.25}}}}};
   setup.sensor["receiver"]["noise_w"] = 4e-9;
   setup.sensor["detection"]["range_noise_m"] = 0.01;
   setup.sensor["detection"]["epw_noise_m"] = 0.03;
   setup.rays_per_beam = {5, 5};
-  setup.effects = {{"beam-divergence", json::object()}, {"pulse-broadening", json::object()}, {"detection-loss", {{"probability", 0.1}}}};
-  setup.scene = {lab::board(30, 60), lab::object("post", {{"type", "cylinder"}, {"radius_m", 0.1}, {"height_m", 4}}, {12, 0.5, 0})};
+  setup.effects = {{"beam-divergence", json::object()},
+                   {"pulse-broadening", json::object()},
+                   {"detection-loss", {{"probability", 0.1}}}};
+  setup.scene = {lab::board(30, 60),
+                 lab::object("post", {{"type", "cylinder"}, {"radius_m", 0.1}, {"height_m", 4}}, {12, 0.5, 0})};
   setup.frames = 5;
   return setup;
 }
@@ -82,7 +85,8 @@ TEST(Simulate, EachSampleHasItsOwnSensor) {
   off["detection"]["max_range_m"] = 5;
   experiment["sensors"] = {{"a", lab::sensor()}, {"b", off}};
   experiment.erase("sensor");
-  experiment["samples"] = {{{"id", "s1"}, {"frames", 1}, {"sensor", "a"}}, {{"id", "s2"}, {"frames", 1}, {"sensor", "b"}}};
+  experiment["samples"] = {{{"id", "s1"}, {"frames", 1}, {"sensor", "a"}},
+                           {{"id", "s2"}, {"frames", 1}, {"sensor", "b"}}};
   model["sensors"] = experiment["sensors"];
   model.erase("sensor");
   const Experiment parsed = parseExperiment(experiment, "experiment.json");
@@ -108,8 +112,9 @@ class SimulatedPackage : public ::testing::Test {
     json value = lab::experimentJson(setup_);
     value["scene"].push_back(lab::object("mesh", {{"type", "mesh"}, {"file", "meshes/t.obj"}}, {9, -1, 0}));
     value["columns"] = {{"range_m", "Distance"}};
-    value["samples"] = {{{"id", "s/1"}, {"frames", 2}},
-                        {{"id", "s2"}, {"frames", 2}, {"measurements", "measurements/two.csv.gz"}, {"beams", "beams.csv"}}};
+    value["samples"] = {
+        {{"id", "s/1"}, {"frames", 2}},
+        {{"id", "s2"}, {"frames", 2}, {"measurements", "measurements/two.csv.gz"}, {"beams", "beams.csv"}}};
     (void)folder_.write("in/meshes/t.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
     (void)folder_.write("in/beams.csv", "layer,azimuth_rad,elevation_rad\n0,0,0\n");
     core::writeJson(folder_ / "in/experiment.json", value);
@@ -118,7 +123,9 @@ class SimulatedPackage : public ::testing::Test {
   void simulateInto(const fs::path& out, core::Progress& progress) {
     simulatePackage(readExperiment(folder_ / "in"), readModel(folder_ / "model.json"), out, std::nullopt, progress);
   }
-  std::size_t entriesBeside() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {})); }
+  std::size_t entriesBeside() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
+  }
 
   test_support::TemporaryFolder folder_;
   lab::Case setup_;
@@ -132,7 +139,8 @@ TEST_F(SimulatedPackage, IsAnExperimentPackageAgain) {
   EXPECT_TRUE(fs::exists(folder_ / "out/meshes/t.obj"));
   EXPECT_TRUE(fs::exists(folder_ / "out/beams.csv"));
   EXPECT_TRUE(fs::exists(folder_ / "out/measurements/s_1.csv"));
-  EXPECT_EQ(readMeasurements(again, again.samples[1]).size(), simulate(again, readModel(folder_ / "model.json"), 1).size());
+  EXPECT_EQ(readMeasurements(again, again.samples[1]).size(),
+            simulate(again, readModel(folder_ / "model.json"), 1).size());
   EXPECT_EQ(entriesBeside(), 3u);  // in, model.json, out
 }
 
@@ -140,9 +148,12 @@ TEST_F(SimulatedPackage, FillsAnEmptyFolderAndRefusesAnyOther) {
   fs::create_directories(folder_ / "out");
   simulateInto(folder_ / "out", silent_);
   EXPECT_TRUE(fs::exists(folder_ / "out/experiment.json"));
-  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "out", silent_); }).find("is not an empty folder"), std::string::npos);
-  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "model.json", silent_); }).find("is not an empty folder"), std::string::npos);
-  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "no/such/parent", silent_); }).find("cannot be written"), std::string::npos);
+  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "out", silent_); }).find("is not an empty folder"),
+            std::string::npos);
+  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "model.json", silent_); }).find("is not an empty folder"),
+            std::string::npos);
+  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "no/such/parent", silent_); }).find("cannot be written"),
+            std::string::npos);
 }
 
 class CancelledAtTheSecondSample final : public core::Progress {
@@ -171,21 +182,25 @@ TEST_F(SimulatedPackage, TakesNoFilesFromOutside) {
   value["scene"].back()["shape"]["file"] = "../t.obj";
   (void)folder_.write("t.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
   core::writeJson(folder_ / "in/experiment.json", value);
-  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "out", silent_); }).find("lies outside the package"), std::string::npos);
+  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "out", silent_); }).find("lies outside the package"),
+            std::string::npos);
 }
 
 TEST_F(SimulatedPackage, WritesNoFileTwice) {
   json value = core::readJson(folder_ / "in/experiment.json");
   value["samples"][0]["measurements"] = "measurements/../measurements/two.csv.gz";
   core::writeJson(folder_ / "in/experiment.json", value);
-  EXPECT_NE(lab::refusal([&] { simulateInto(folder_ / "out", silent_); }).find("/samples/1/measurements: 'measurements/two.csv.gz' would be written twice"),
+  EXPECT_NE(lab::refusal([&] {
+              simulateInto(folder_ / "out", silent_);
+            }).find("/samples/1/measurements: 'measurements/two.csv.gz' would be written twice"),
             std::string::npos);
 }
 
 TEST_F(SimulatedPackage, OfTheProgramHasTheSameBytesWithAnyNumberOfThreads) {
   for (const std::string threads : {"1", "2"}) {
-    const auto run = test_support::runFidelis({"simulate", (folder_ / "in").string(), "--model", (folder_ / "model.json").string(),
-                                               "--out", (folder_ / ("out" + threads)).string(), "--threads", threads});
+    const auto run =
+        test_support::runFidelis({"simulate", (folder_ / "in").string(), "--model", (folder_ / "model.json").string(),
+                                  "--out", (folder_ / ("out" + threads)).string(), "--threads", threads});
     ASSERT_EQ(run.status, 0) << run.messages;
   }
   for (const std::string file : {"experiment.json", "measurements/s_1.csv", "measurements/two.csv.gz"}) {
@@ -196,9 +211,9 @@ TEST_F(SimulatedPackage, OfTheProgramHasTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-// A measurement of a foreign, independent generator with nothing withheld. The means of n detections of either side scatter
-// by σ·sqrt(2/n); σ of the generator's set-up and rounding adds nothing systematic. Tolerance: a fifth of a step plus five
-// standard errors.
+// A measurement of a foreign, independent generator with nothing withheld. The means of n detections of either side
+// scatter by σ·sqrt(2/n); σ of the generator's set-up and rounding adds nothing systematic. Tolerance: a fifth of a
+// step plus five standard errors.
 TEST(Simulate, BaselineAgreesWithAnIndependentGenerator) {
   FIDELIS_NEEDS_SHARED(shared);
   const Experiment experiment = readExperiment(shared / "experiments/v02");

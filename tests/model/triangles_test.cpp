@@ -1,9 +1,8 @@
 #include "model/triangles.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
+#include <gtest/gtest.h>
 
 #include "tests/model/lab.h"
 #include "tests/support/paths.h"
@@ -27,7 +26,9 @@ double volume(const Triangles& triangles) {
   double sum = 0.0;
   for (const auto& face : triangles.faces) {
     const Vector3 &a = triangles.vertices[face[0]], &b = triangles.vertices[face[1]], &c = triangles.vertices[face[2]];
-    sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0;
+    sum +=
+        (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
+        6.0;
   }
   return sum;
 }
@@ -46,16 +47,21 @@ const int kFaces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 std::string asObj() {
   std::string text;
-  for (const auto& v : kCorners) text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) + "\n";
-  for (const auto& f : kFaces) text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+  for (const auto& v : kCorners)
+    text += "v " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) + "\n";
+  for (const auto& f : kFaces)
+    text += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
   return text;
 }
 
 std::string asPly() {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                     "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const auto& v : kCorners) text += std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) + "\n";
-  for (const auto& f : kFaces) text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& v : kCorners)
+    text += std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]) + "\n";
+  for (const auto& f : kFaces)
+    text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]) + "\n";
   return text;
 }
 
@@ -79,7 +85,8 @@ std::string asBinaryStl() {
 
 TEST(Triangles, MeshesOfThreeFormatsAreTheSameBody) {
   const test_support::TemporaryFolder folder;
-  for (const auto& file : {folder.write("t.obj", asObj()), folder.write("t.ply", asPly()), folder.write("t.stl", asBinaryStl())}) {
+  for (const auto& file :
+       {folder.write("t.obj", asObj()), folder.write("t.ply", asPly()), folder.write("t.stl", asBinaryStl())}) {
     const Triangles triangles = trianglesOf(Mesh{file, 1.0});
     EXPECT_EQ(triangles.faces.size(), 4u) << file;
     EXPECT_NEAR(std::abs(volume(triangles)), 1.0, 1e-6) << file;
@@ -106,16 +113,17 @@ TEST(Triangles, BeamMeetsAMeshAtItsFace) {
 
 TEST(Triangles, MissingOrBrokenMeshIsRefusedWithItsName) {
   const test_support::TemporaryFolder folder;
-  EXPECT_NE(lab::refusal([&] { (void)trianglesOf(Mesh{folder / "no.obj", 1.0}); }).find("no.obj: the mesh file does not exist"),
+  EXPECT_NE(lab::refusal([&] {
+              (void)trianglesOf(Mesh{folder / "no.obj", 1.0});
+            }).find("no.obj: the mesh file does not exist"),
             std::string::npos);
-  const std::pair<const char*, std::string> broken[] = {
-      {"header.ply", "ply\nformat ascii 1.0\nelement vert"},
-      {"cut.stl", asBinaryStl().substr(0, 200)},
-      {"empty.obj", ""},
-      {"noise.obj", "\x01\x02\xff\xfe garbage f v 1 2"},
-      {"far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
-      {"cut.gltf", "{\"asset\": {\"version\": \"2.0\""},
-      {"unknown.xyz", "1 2 3"}};
+  const std::pair<const char*, std::string> broken[] = {{"header.ply", "ply\nformat ascii 1.0\nelement vert"},
+                                                        {"cut.stl", asBinaryStl().substr(0, 200)},
+                                                        {"empty.obj", ""},
+                                                        {"noise.obj", "\x01\x02\xff\xfe garbage f v 1 2"},
+                                                        {"far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
+                                                        {"cut.gltf", "{\"asset\": {\"version\": \"2.0\""},
+                                                        {"unknown.xyz", "1 2 3"}};
   for (const auto& [name, content] : broken) {
     const auto file = folder.write(name, content);
     EXPECT_NE(lab::refusal([&] { (void)trianglesOf(Mesh{file, 1.0}); }).find("the mesh"), std::string::npos) << name;

@@ -1,8 +1,7 @@
 #include "model/waveform.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace model {
 namespace {
@@ -63,8 +62,8 @@ TEST(Waveform, BelowTheLevelThereIsNothing) {
   EXPECT_TRUE(stretchesOf({{42.0, 0.0}}, 1.0, 0.1).empty());
 }
 
-// Sums are no single Gaussian, so the parabola errs: below a tenth of a centimetre of range and 0.25 % of power even where
-// the level just touches a saddle.
+// Sums are no single Gaussian, so the parabola errs: below a tenth of a centimetre of range and 0.25 % of power even
+// where the level just touches a saddle.
 TEST(Waveform, SumsOfPulsesAgreeWithSlowSampling) {
   const std::vector<std::vector<Pulse>> scenes = {
       {{10.0, 5.0}, {10.4, 3.0}},                             // one hump

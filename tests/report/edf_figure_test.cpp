@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/random.h"
-#include "metrics/area_metric.h"
+#include "metrics/area/area_metric.h"
 #include "tests/report/svg_reader.h"
 
 namespace report {

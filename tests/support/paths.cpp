@@ -1,9 +1,8 @@
 #include "tests/support/paths.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <fstream>
+#include <unistd.h>
 
 namespace test_support {
 

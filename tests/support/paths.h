@@ -1,8 +1,7 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <string>
 
 namespace test_support {
@@ -34,6 +33,6 @@ class TemporaryFolder {
 }  // namespace test_support
 
 /// Skips, visibly, a test that needs the shared reference data where they are absent.
-#define FIDELIS_NEEDS_SHARED(variable)                                              \
-  const std::filesystem::path variable = test_support::sharedFolder();              \
+#define FIDELIS_NEEDS_SHARED(variable)                                 \
+  const std::filesystem::path variable = test_support::sharedFolder(); \
   if (variable.empty()) GTEST_SKIP() << "reference data not present (set FIDELIS_SHARED to their folder)"

@@ -1,12 +1,11 @@
 #include "tests/support/program.h"
 
 #include <fcntl.h>
+#include <filesystem>
 #include <spawn.h>
+#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <stdexcept>
 
 #include "core/file.h"
 #include "tests/support/paths.h"

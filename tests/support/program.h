@@ -7,8 +7,8 @@ namespace test_support {
 
 /// What a run of the real program left behind.
 struct ProgramRun {
-  int status = -1;     ///< exit status; 128 + n if signal n ended it
-  std::string out;     ///< standard output
+  int status = -1;       ///< exit status; 128 + n if signal n ended it
+  std::string out;       ///< standard output
   std::string messages;  ///< standard error
 };
 

@@ -1,7 +1,6 @@
 // Effects of the emission: beam divergence is held by signal_chain_test.cpp.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "tests/model/effects/effect_bench.h"
@@ -94,9 +93,11 @@ TEST(PulseJitter, PowerAndDurationAreIndependent) {
   const auto detections = lab::fire(setup);
   double covariance = 0.0;
   std::vector<double> stretch;
-  for (std::size_t i = 0; i < detections.size(); ++i) stretch.push_back(detections.epw_m[i] / lab::epwLaw(1e-9 * detections.intensity[i]));
+  for (std::size_t i = 0; i < detections.size(); ++i)
+    stretch.push_back(detections.epw_m[i] / lab::epwLaw(1e-9 * detections.intensity[i]));
   const double power = lab::mean(detections.intensity), width = lab::mean(stretch);
-  for (std::size_t i = 0; i < detections.size(); ++i) covariance += (detections.intensity[i] - power) * (stretch[i] - width);
+  for (std::size_t i = 0; i < detections.size(); ++i)
+    covariance += (detections.intensity[i] - power) * (stretch[i] - width);
   covariance /= static_cast<double>(detections.size());
   EXPECT_NEAR(covariance / lab::deviation(detections.intensity) / lab::deviation(stretch), 0.0, 4 / std::sqrt(20000.0));
 }

@@ -1,7 +1,6 @@
 // Effects of the interaction with surfaces: pulse broadening is held by signal_chain_test.cpp.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "tests/model/effects/effect_bench.h"
@@ -24,8 +23,11 @@ TEST(AngularReflection, OrenNayarHasThePublishedFactors) {
   const double s = 0.35 * 0.35, a = 1 - 0.5 * s / (s + 0.33), b = 0.45 * s / (s + 0.09);
   for (const double incidence : {0.0, 30.0, 60.0}) {
     const double expected = a + b * std::sin(radians(incidence)) * std::tan(radians(incidence));
-    EXPECT_NEAR(factor(incidence, "angular-reflection", {{"model", "oren-nayar"}, {"roughness_rad", 0.35}}), expected, 1e-5);
-    EXPECT_NEAR(factor(incidence, "angular-reflection", json::object(), {{"model", "oren-nayar"}, {"roughness_rad", 0.35}}), expected, 1e-5);
+    EXPECT_NEAR(factor(incidence, "angular-reflection", {{"model", "oren-nayar"}, {"roughness_rad", 0.35}}), expected,
+                1e-5);
+    EXPECT_NEAR(
+        factor(incidence, "angular-reflection", json::object(), {{"model", "oren-nayar"}, {"roughness_rad", 0.35}}),
+        expected, 1e-5);
   }
   EXPECT_NEAR(factor(40, "angular-reflection", {{"roughness_rad", 0.0}}), 1.0, 1e-9);  // smooth is Lambertian
 }
@@ -33,7 +35,8 @@ TEST(AngularReflection, OrenNayarHasThePublishedFactors) {
 TEST(AngularReflection, PhongHasItsLobeAroundTheMirrorDirection) {
   for (const double incidence : {0.0, 10.0, 30.0, 60.0}) {
     const double lobe = std::pow(std::max(0.0, std::cos(radians(2 * incidence))), 20.0) * 22.0 / 2.0;
-    EXPECT_NEAR(factor(incidence, "angular-reflection", {{"diffuse_fraction", 0.8}, {"exponent", 20}}), 0.8 + 0.2 * lobe, 1e-5);
+    EXPECT_NEAR(factor(incidence, "angular-reflection", {{"diffuse_fraction", 0.8}, {"exponent", 20}}),
+                0.8 + 0.2 * lobe, 1e-5);
   }
 }
 

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "tests/model/effects/effect_bench.h"
 
@@ -9,7 +8,8 @@ namespace {
 
 using nlohmann::json;
 
-double rangeWith(double range_m, const std::string& effect, const json& parameters, const json& environment = json::object()) {
+double rangeWith(double range_m, const std::string& effect, const json& parameters,
+                 const json& environment = json::object()) {
   lab::Case setup = lab::boardWith(range_m, effect, parameters);
   setup.environment = environment;
   return lab::fire(setup).range_m.at(0);
@@ -18,7 +18,8 @@ double rangeWith(double range_m, const std::string& effect, const json& paramete
 // The leading edge lies a quarter of the EPW before the peak.
 TEST(RangeWalk, EdgeLiesAQuarterOfTheEchoPulseWidthBeforeThePeak) {
   for (const double range : {10.0, 40.0, 100.0}) {
-    EXPECT_NEAR(rangeWith(range, "range-walk", json::object()), range - lab::epwLaw(lab::radarEquation(range)) / 4, 1e-5);
+    EXPECT_NEAR(rangeWith(range, "range-walk", json::object()), range - lab::epwLaw(lab::radarEquation(range)) / 4,
+                1e-5);
   }
 }
 
@@ -30,7 +31,8 @@ TEST(RangeWalk, CalibratedSensorIsRightAtThatEchoAndFarBelowIt) {
 }
 
 TEST(RangeWalk, LinearFrontErrsByThresholdOverPower) {
-  EXPECT_NEAR(rangeWith(30, "range-walk", {{"coefficient_m", 0.5}}), 30 + 0.5 * lab::kThreshold_w / lab::radarEquation(30), 1e-6);
+  EXPECT_NEAR(rangeWith(30, "range-walk", {{"coefficient_m", 0.5}}),
+              30 + 0.5 * lab::kThreshold_w / lab::radarEquation(30), 1e-6);
 }
 
 TEST(RangeOffset, MovesEveryRangeByTheSame) {
@@ -46,7 +48,9 @@ TEST(ClockDrift, ErrorIsProportionalToRangeAndTemperature) {
 }
 
 TEST(Quantisation, RoundsToItsSteps) {
-  lab::Case setup = lab::boardWith(20.03, "quantisation", {{"range_step_m", 0.25}, {"epw_step_m", 0.5}, {"intensity_bits", 8}, {"intensity_full_scale_nw", 25500}});
+  lab::Case setup = lab::boardWith(
+      20.03, "quantisation",
+      {{"range_step_m", 0.25}, {"epw_step_m", 0.5}, {"intensity_bits", 8}, {"intensity_full_scale_nw", 25500}});
   const auto detections = lab::fire(setup);
   EXPECT_NEAR(detections.range_m.at(0), 20.0, 1e-12);
   const double epw = lab::epwLaw(lab::radarEquation(20.03));
@@ -73,7 +77,8 @@ TEST(RangeGating, DropsWhatLiesOutsideTheGate) {
 TEST(EchoMerging, ReplacesTheSeparation) {
   lab::Case setup;
   setup.rays_per_beam = {10, 1};
-  setup.scene = {lab::object("near", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {10, 1.0, 0}), lab::board(15)};
+  setup.scene = {lab::object("near", {{"type", "rectangle"}, {"width_m", 2}, {"height_m", 2}}, {10, 1.0, 0}),
+                 lab::board(15)};
   setup.effects = {{"beam-divergence", json::object()}, {"echo-merging", {{"separation_m", 4.9}}}};
   EXPECT_EQ(lab::fire(setup).size(), 2u);
   setup.effects["echo-merging"]["separation_m"] = 5.1;

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "tests/model/effects/effect_bench.h"
 
@@ -15,7 +14,8 @@ double attenuation(double range_m, const json& parameters) {
 
 TEST(AtmosphericAttenuation, PowerFallsExponentiallyOutAndBack) {
   EXPECT_NEAR(attenuation(50, {{"extinction_1_m", 0.01}}), std::exp(-2 * 0.01 * 50), 1e-9);
-  EXPECT_NEAR(attenuation(100, {{"extinction_1_m", 0.01}}), std::pow(attenuation(50, {{"extinction_1_m", 0.01}}), 2), 1e-9);
+  EXPECT_NEAR(attenuation(100, {{"extinction_1_m", 0.01}}), std::pow(attenuation(50, {{"extinction_1_m", 0.01}}), 2),
+              1e-9);
 }
 
 // Kruse's law with the exponents that Kim et al. 2001 give for the five ranges of visibility.

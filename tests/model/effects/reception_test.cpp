@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "tests/model/effects/effect_bench.h"
@@ -18,11 +17,14 @@ double noiseWith(const std::string& effect, const json& parameters, const json& 
   setup.environment = environment;
   const LidarModel model = lab::modelOf(setup);
   const Experiment experiment = lab::experimentOf(setup);
-  return SignalChain(model.sensor(""), model.effects, situationOf(experiment, experiment.samples[0]).environment).settings().receiver.noise_w;
+  return SignalChain(model.sensor(""), model.effects, situationOf(experiment, experiment.samples[0]).environment)
+      .settings()
+      .receiver.noise_w;
 }
 
 TEST(CoverContamination, SectorLosesPowerAtBothPassages) {
-  lab::Case setup = lab::boardWith(20, "cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 3}, {"azimuth_to_deg", 8}});
+  lab::Case setup =
+      lab::boardWith(20, "cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 3}, {"azimuth_to_deg", 8}});
   setup.sensor["scan"]["layers"][0]["azimuth_deg"] = {{"from", 10}, {"to", 0}, {"step", 5}};
   lab::Case clean = setup;
   clean.effects = json::object();
@@ -35,7 +37,8 @@ TEST(CoverContamination, SectorLosesPowerAtBothPassages) {
 TEST(ThermalNoise, DarkCurrentDoublesEveryEightKelvin) {
   EXPECT_NEAR(noiseWith("thermal-noise", {{"temperature_degC", 20}}), 2e-9, 1e-18);
   EXPECT_NEAR(noiseWith("thermal-noise", {{"temperature_degC", 28}}), 2e-9 * std::sqrt(2.0), 1e-18);
-  EXPECT_NEAR(noiseWith("thermal-noise", {{"temperature_degC", 36}, {"dark_share", 0.5}}), 2e-9 * std::sqrt(0.5 + 0.5 * 4), 1e-18);
+  EXPECT_NEAR(noiseWith("thermal-noise", {{"temperature_degC", 36}, {"dark_share", 0.5}}),
+              2e-9 * std::sqrt(0.5 + 0.5 * 4), 1e-18);
   EXPECT_NEAR(noiseWith("thermal-noise", json::object(), {{"temperature_degC", 4}}), 2e-9 / 2.0, 1e-18);
   EXPECT_NEAR(noiseWith("thermal-noise", json::object()), 2e-9, 1e-18);
 }
@@ -46,7 +49,9 @@ TEST(BackgroundLight, ShotNoiseAddsInQuadrature) {
   const double power_w = 0.8 * 20 * 0.3 / std::numbers::pi * std::numbers::pi / 4 * 0.02 * 0.02 * 0.01 * 0.02 * 0.5;
   const double variance = 4e-18 + 2 * photon_J * power_w * 0.44 / 5e-9;
   EXPECT_NEAR(noiseWith("background-light", {{"irradiance_w_m2_nm", 0.8}}) / std::sqrt(variance), 1.0, 1e-6);
-  EXPECT_NEAR(noiseWith("background-light", json::object(), {{"background_irradiance_w_m2_nm", 0.8}}) / std::sqrt(variance), 1.0, 1e-6);
+  EXPECT_NEAR(
+      noiseWith("background-light", json::object(), {{"background_irradiance_w_m2_nm", 0.8}}) / std::sqrt(variance),
+      1.0, 1e-6);
   EXPECT_NEAR(noiseWith("background-light", json::object()), 2e-9, 1e-18);
 }
 
@@ -58,7 +63,8 @@ TEST(PhotoResponseNonuniformity, GainIsAFixedPatternOverLayers) {
     for (int i = 0; i < 200; ++i) setup.sensor["scan"]["layers"].push_back(layer);
     setup.frames = 2;
     std::vector<double> list;
-    for (const double intensity : lab::fire(setup).intensity) list.push_back(intensity / (1e9 * lab::radarEquation(20)));
+    for (const double intensity : lab::fire(setup).intensity)
+      list.push_back(intensity / (1e9 * lab::radarEquation(20)));
     return list;
   };
   const auto first = gains(1);
