@@ -334,7 +334,7 @@ std::vector<Variable> expressionVariables() {
   std::vector<Variable> variables;
   for (const metrics::Metric& metric : metrics::metricCatalog()) {
     for (std::size_t part = 0; part < std::max<std::size_t>(1, metric.parts.size()); ++part) {
-      variables.push_back({variableName(metric, part), std::string(metric.meaning)});
+      variables.push_back({variableName(metric, part), std::string(metric.info.meaning)});
     }
   }
   const std::vector<Variable> own = {

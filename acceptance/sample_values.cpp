@@ -29,8 +29,8 @@ std::vector<double> column(const core::Detections& detections, const std::string
 }
 
 bool isWanted(const metrics::Metric& metric, std::span<const std::string> wanted) {
-  if (std::find(kAlways.begin(), kAlways.end(), metric.name) != kAlways.end()) return true;
-  if (std::find(wanted.begin(), wanted.end(), metric.name) != wanted.end()) return true;
+  if (std::find(kAlways.begin(), kAlways.end(), metric.info.name) != kAlways.end()) return true;
+  if (std::find(wanted.begin(), wanted.end(), metric.info.name) != wanted.end()) return true;
   for (std::size_t part = 0; part < metric.parts.size(); ++part) {
     if (std::find(wanted.begin(), wanted.end(), variableName(metric, part)) != wanted.end()) return true;
   }
@@ -61,8 +61,8 @@ void addMetrics(std::map<std::string, double>& values, const Distributions& dist
 }  // namespace
 
 std::string variableName(const metrics::Metric& metric, std::size_t part) {
-  if (metric.parts.empty()) return std::string(metric.name);
-  return std::string(metric.name) + "_" + std::string(metric.parts[part]);
+  if (metric.parts.empty()) return std::string(metric.info.name);
+  return std::string(metric.info.name) + "_" + std::string(metric.parts[part]);
 }
 
 bool Distributions::complete() const {

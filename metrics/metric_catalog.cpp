@@ -1,13 +1,12 @@
 #include "metrics/metric_catalog.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "core/error.h"
 #include "core/text.h"
-#include "metrics/area/double_metric.h"
-#include "metrics/area/largest_area_metric.h"
-#include "metrics/area/modified_area_metric.h"
+#include "metrics/area/area_metrics.h"
 #include "metrics/samples/kolmogorov_smirnov.h"
 #include "metrics/samples/moment_differences.h"
 #include "metrics/samples/wasserstein.h"
@@ -16,153 +15,56 @@ namespace metrics {
 
 namespace {
 
-using Input = MetricInput;
-using Numbers = std::vector<double>;
-constexpr auto kUnit = MetricUnit::Measurand;
-constexpr auto kNumber = MetricShape::Number;
-constexpr auto kList = MetricShape::List;
+constexpr std::array<std::string_view, 4> kScales = {"nominal", "ordinal", "interval", "ratio"};
+constexpr std::array<std::string_view, 7> kDataKinds = {"values",         "series",      "point-cloud", "range-image",
+                                                        "occupancy-grid", "object-list", "tracks"};
 
-Numbers dvm(const Input& input) {
-  const DoubleValidation& dvm = input.options.shift == Shift::One ? input.one_shift : input.balanced;
-  return {dvm.bias, dvm.scatter};
+/// A metric of two samples as one of two p-boxes: it takes the pooled runs.
+Metric ofPooledRuns(const MetricOf<SamplePair>& metric) {
+  return {.info = metric.info,
+          .shape = metric.shape,
+          .parts = metric.parts,
+          .compute = [compute = metric.compute](const MetricInput& input) { return compute(input.samples); }};
 }
 
-Numbers bothEdges(const Input& input) {
-  const DoubleMetric metric = doubleMetric(input.boxes);
-  return {metric.left, metric.right};
-}
-
-Numbers mavm(const Input& input) {
-  const ModifiedArea interval = modifiedAreaMetric(input.portions, input.experiments);
-  return {interval.lower, interval.upper};
-}
-
-Numbers ks(const Input& input) {
-  const KolmogorovSmirnov test = kolmogorovSmirnovTest(input.samples);
-  return {test.statistic, test.p_value};
-}
-
-/// The list: one line a metric.
-std::vector<Metric> makeCatalog() {
+std::vector<MetricOf<SamplePair>> samplesMetrics() {
+  using Numbers = std::vector<double>;
+  const auto info = [](std::string_view name, std::string_view meaning, MetricUnit unit, int number = 0) {
+    return MetricInfo{
+        .number = number, .name = name, .title = name, .meaning = meaning, .unit = unit, .data = {DataKind::Values}};
+  };
   return {
-      {"d_avm",
-       "area between the distributions; 0 where p-boxes overlap",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.portions.area()}; }},
-      {"d_plus",
-       "part of it with simulated values too small",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.portions.d_plus}; }},
-      {"d_minus",
-       "part of it with simulated values too large",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.portions.d_minus}; }},
-      {"d_bias",
-       "d_minus - d_plus; > 0: simulation too high",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.one_shift.bias}; }},
-      {"d_cavm",
-       "scatter: area left after the simulation is moved by -d_bias",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.one_shift.scatter}; }},
-      {"residual_bias",
-       "bias left after that one shift; not 0 for p-boxes only",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.one_shift.residual}; }},
-      {"d_bias_balanced",
-       "shift that leaves no bias",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.balanced.bias}; }},
-      {"d_cavm_balanced",
-       "scatter: area left after the balanced shift",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.balanced.scatter}; }},
-      {"dvm", "double validation metric: bias and scatter", kUnit, kList, {"bias", "scatter"}, dvm},
-      {"double_metric", "area between left edges, between right edges", kUnit, kList, {"left", "right"}, bothEdges},
-      {"d_mavm", "interval to add to a simulated value, with safety factor", kUnit, kList, {"lower", "upper"}, mavm},
-      {"d_avm_max",
-       "largest area of any distribution inside the simulated p-box",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{largestAreaMetric(in.boxes).area}; }},
-      {"d_avm_max_error",
-       "half width of what is known of it; 0: exact",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{largestAreaMetric(in.boxes).error}; }},
-      {"pbox_area",
-       "mean width of the simulated p-box",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{in.boxes.simulated.area()}; }},
-      {"ks",
-       "Kolmogorov-Smirnov test, pooled; p too large with ties",
-       MetricUnit::None,
-       MetricShape::Object,
-       {"statistic", "p_value"},
-       ks},
-      {"wasserstein_1",
-       "1-Wasserstein distance, pooled",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{wassersteinDistance(in.samples)}; }},
-      {"mean_difference",
-       "simulated - measured mean, pooled",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{meanDifference(in.samples)}; }},
-      {"median_difference",
-       "simulated - measured median, pooled",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{medianDifference(in.samples)}; }},
-      {"std_difference",
-       "simulated - measured standard deviation (n - 1), pooled",
-       kUnit,
-       kNumber,
-       {},
-       [](const Input& in) { return Numbers{standardDeviationDifference(in.samples)}; }},
+      {.info = info("ks", "Kolmogorov-Smirnov test, pooled; p too large with ties", MetricUnit::None),
+       .shape = MetricShape::Object,
+       .parts = {"statistic", "p_value"},
+       .compute =
+           [](const SamplePair& samples) {
+             const KolmogorovSmirnov test = kolmogorovSmirnovTest(samples);
+             return Numbers{test.statistic, test.p_value};
+           }},
+      {.info = info("wasserstein_1", "1-Wasserstein distance, pooled", MetricUnit::Measurand, 9),
+       .compute = [](const SamplePair& samples) { return Numbers{wassersteinDistance(samples)}; }},
+      {.info = info("mean_difference", "simulated - measured mean, pooled", MetricUnit::Measurand),
+       .compute = [](const SamplePair& samples) { return Numbers{meanDifference(samples)}; }},
+      {.info = info("median_difference", "simulated - measured median, pooled", MetricUnit::Measurand),
+       .compute = [](const SamplePair& samples) { return Numbers{medianDifference(samples)}; }},
+      {.info = info("std_difference", "simulated - measured standard deviation (n - 1), pooled", MetricUnit::Measurand),
+       .compute = [](const SamplePair& samples) { return Numbers{standardDeviationDifference(samples)}; }},
   };
 }
 
-double experimentsOf(const SamplePair& samples, const MetricOptions& options) {
-  const double n = options.experiments.value_or(samples.measured.effectiveN());
-  (void)safetyFactor(n);  // refuses what no metric could use
-  return n;
+std::vector<Metric> makeCatalog() {
+  std::vector<Metric> catalog(areaMetrics().begin(), areaMetrics().end());
+  for (const MetricOf<SamplePair>& metric : samplesMetrics()) catalog.push_back(ofPooledRuns(metric));
+  return catalog;
+}
+
+template <typename Input>
+void append(std::span<const MetricOf<Input>> metrics, std::vector<MetricInfo>& infos) {
+  for (const MetricOf<Input>& metric : metrics) infos.push_back(metric.info);
 }
 
 }  // namespace
-
-MetricInput::MetricInput(const Comparison& compared, const SamplePair& pooled, const MetricOptions& chosen)
-    : boxes(compared),
-      samples(pooled),
-      options(chosen),
-      experiments(experimentsOf(pooled, chosen)),
-      portions(areaPortions(compared)),
-      one_shift(doubleValidationMetric(compared, Shift::One)),
-      balanced(doubleValidationMetric(compared, Shift::Balanced)) {}
 
 std::span<const Metric> metricCatalog() {
   static const std::vector<Metric> catalog = makeCatalog();
@@ -172,13 +74,33 @@ std::span<const Metric> metricCatalog() {
 const Metric& metricNamed(std::string_view name) {
   std::vector<std::string> names;
   for (const Metric& metric : metricCatalog()) {
-    if (metric.name == name) return metric;
-    names.emplace_back(metric.name);
+    if (metric.info.name == name) return metric;
+    names.emplace_back(metric.info.name);
   }
   const std::string nearest = core::nearestName(name, names);
   throw core::InputError(
       {.item = "metric '" + std::string(name) + "'"}, "is not known.",
       nearest.empty() ? "The metrics are " + core::join(names) + "." : "Did you mean '" + nearest + "'?");
+}
+
+std::vector<MetricInfo> allMetricInfos() {
+  std::vector<MetricInfo> infos;
+  append<MetricInput>(metricCatalog(), infos);
+  std::stable_sort(infos.begin(), infos.end(), [](const MetricInfo& a, const MetricInfo& b) {
+    constexpr int kLast = 1000;
+    return (a.number == 0 ? kLast : a.number) < (b.number == 0 ? kLast : b.number);
+  });
+  return infos;
+}
+
+std::string_view toString(Scale scale) { return kScales[static_cast<std::size_t>(scale)]; }
+std::string_view toString(DataKind kind) { return kDataKinds[static_cast<std::size_t>(kind)]; }
+
+Scale scaleNamed(std::string_view name) {
+  const auto found = std::find(kScales.begin(), kScales.end(), name);
+  if (found != kScales.end()) return static_cast<Scale>(found - kScales.begin());
+  throw core::InputError({.item = "scale '" + std::string(name) + "'"}, "is not known.",
+                         "The scales of measurement are nominal, ordinal, interval and ratio.");
 }
 
 }  // namespace metrics

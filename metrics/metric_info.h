@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -50,8 +51,8 @@ template <typename Input>
 struct MetricOf {
   MetricInfo info;
   MetricShape shape = MetricShape::Number;
-  std::vector<std::string_view> parts;                 ///< names of the results in order; empty for a number
-  std::vector<double> (*compute)(const Input& input);  ///< as many numbers as parts; NaN where undefined
+  std::vector<std::string_view> parts;  ///< names of the results in order; empty for a number
+  std::function<std::vector<double>(const Input& input)> compute;  ///< as many numbers as parts; NaN where undefined
 };
 
 }  // namespace metrics

@@ -159,7 +159,7 @@ nlohmann::ordered_json documentOf(const std::vector<Measurand>& measurands, cons
     nlohmann::ordered_json entry{{"name", measurand.name}, {"unit", measurand.unit}, {"n_real", measurand.n_real}};
     entry["n_sim"] = measurand.n_sim;
     for (std::size_t i = 0; i < choice.size(); ++i) {
-      entry[std::string(choice[i]->name)] = jsonOf(*choice[i], measurand.results[i]);
+      entry[std::string(choice[i]->info.name)] = jsonOf(*choice[i], measurand.results[i]);
     }
     document["measurands"].push_back(std::move(entry));
   }
@@ -183,9 +183,9 @@ void writeTable(const std::vector<Measurand>& measurands, const Choice& choice, 
                        core::join(sizes, " + "), sizes.size() > 1 ? " (p-box)" : "");
     out << fmt::format("  {:<18} {:>24}  {:<5} {}\n", "metric", "value", "unit", "meaning");
     for (std::size_t i = 0; i < choice.size(); ++i) {
-      const bool has_unit = choice[i]->unit == metrics::MetricUnit::Measurand && !measurand.unit.empty();
-      out << fmt::format("  {:<18} {:>24}  {:<5} {}\n", choice[i]->name, valueForReader(measurand.results[i]),
-                         has_unit ? measurand.unit : "-", choice[i]->meaning);
+      const bool has_unit = choice[i]->info.unit == metrics::MetricUnit::Measurand && !measurand.unit.empty();
+      out << fmt::format("  {:<18} {:>24}  {:<5} {}\n", choice[i]->info.name, valueForReader(measurand.results[i]),
+                         has_unit ? measurand.unit : "-", choice[i]->info.meaning);
     }
   }
 }
@@ -217,7 +217,7 @@ std::string footer() {
       "pooled.\n"
       "A positive d_bias means that the simulation is too high.\n\nMetrics:\n";
   for (const metrics::Metric& metric : metrics::metricCatalog()) {
-    text += fmt::format("  {:<18} {}\n", metric.name, metric.meaning);
+    text += fmt::format("  {:<18} {}\n", metric.info.name, metric.info.meaning);
   }
   return text +
          "\nExamples:\n"

@@ -23,7 +23,7 @@ TEST(MetricCatalog, NamesEveryKeyOfTheFileFormat) {
   for (const char* name : {"d_avm", "d_plus", "d_minus", "d_bias", "d_cavm", "residual_bias", "d_bias_balanced",
                            "d_cavm_balanced", "dvm", "double_metric", "d_mavm", "d_avm_max", "pbox_area", "ks",
                            "mean_difference", "median_difference", "std_difference"}) {
-    EXPECT_EQ(metricNamed(name).name, name);
+    EXPECT_EQ(metricNamed(name).info.name, name);
   }
 }
 
@@ -37,10 +37,10 @@ TEST(MetricCatalog, EveryMetricGivesAsManyNumbersAsItHasParts) {
   const MetricInput input({.simulated = simulated, .measured = measured_box},
                           {.simulated = pooled, .measured = measured});
   for (const Metric& metric : metricCatalog()) {
-    EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
+    EXPECT_TRUE(names.insert(metric.info.name).second) << metric.info.name;
     EXPECT_EQ(metric.compute(input).size(), metric.shape == MetricShape::Number ? 1U : metric.parts.size());
-    EXPECT_EQ(metric.parts.empty(), metric.shape == MetricShape::Number) << metric.name;
-    EXPECT_FALSE(metric.meaning.empty());
+    EXPECT_EQ(metric.parts.empty(), metric.shape == MetricShape::Number) << metric.info.name;
+    EXPECT_FALSE(metric.info.meaning.empty());
   }
 }
 
