@@ -85,6 +85,28 @@ Edf Edf::weighted(std::span<const double> values, std::span<const double> weight
   return edf;
 }
 
+Edf Edf::repeated(std::span<const double> ascending, std::span<const std::uint32_t> counts) {
+  mustMatch(ascending.size(), counts.size(), "counts");
+  const auto n = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (n == 0) throwEmpty();
+  Edf edf;
+  edf.n_ = n;
+  edf.effective_n_ = static_cast<double>(n);
+  edf.values_.resize(ascending.size() + 1);
+  edf.levels_.resize(ascending.size() + 1);
+  std::size_t steps = 0;
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {  // without a branch: a count of 0 is overwritten by the next
+    reached += counts[i];
+    edf.values_[steps] = ascending[i];
+    edf.levels_[steps] = static_cast<double>(reached) / edf.effective_n_;
+    steps += counts[i] > 0 ? 1 : 0;
+  }
+  edf.values_.resize(steps);
+  edf.levels_.resize(steps);
+  return edf;
+}
+
 Edf Edf::fromSteps(std::span<const double> values, std::span<const double> levels) {
   mustMatch(values.size(), levels.size(), "levels");
   if (values.empty()) throwEmpty();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,10 @@ class Edf {
   /// From a weighted sample: weights >= 0, normalised to sum 1; values of weight 0 are dropped. Throws InputError if a
   /// number is not finite, a weight is negative, none is positive or the lengths differ.
   static Edf weighted(std::span<const double> values, std::span<const double> weights);
+
+  /// From distinct ascending values, the i-th of them `counts[i]` times: what a bootstrap draws, without sorting again.
+  /// The order is the caller's promise. Throws InputError if all counts are 0 or the lengths differ.
+  static Edf repeated(std::span<const double> ascending, std::span<const std::uint32_t> counts);
 
   /// From the table of a CDF: its height at and after each value. Values ascend, heights do not fall and end at 1.
   /// Throws InputError otherwise. Such a function has no sample: n() is 0.
