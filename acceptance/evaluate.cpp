@@ -106,6 +106,7 @@ class Evaluation {
   void decide(SampleResult& sample, const Sides& sides, const Distributions& distributions) const;
   void draw(SampleResult& sample, const Distributions& distributions) const;
   void checkExpression() const;
+  void checkScale(const Expression& expression) const;
   void summarise();
 
   const TestTask& task_;
@@ -197,6 +198,7 @@ SampleResult Evaluation::evaluateSample(std::size_t index) {
   const Sides sides = {.measured = measured,
                        .simulated = runs,
                        .column = measurand_.column,
+                       .scale = metrics::scaleNamed(measurand_.scale),
                        .measured_frames = sample.frames,
                        .simulated_frames = task_.test.frames.value_or(sample.frames),
                        .beams_per_frame = model::beamsOfSample(experiment_, model_, sample).size()};
@@ -290,6 +292,20 @@ void Evaluation::checkExpression() const {
     for (const auto& [name, value] : experiment_.samples[index].parameters) known.push_back(name);
     for (const Variable& variable : expressionVariables()) known.push_back(variable.name);
     expression.requireKnown(known);
+  }
+  checkScale(expression);
+}
+
+/// The mean of ranks says nothing: a metric must not ask more of the measurand than its scale of measurement gives.
+void Evaluation::checkScale(const Expression& expression) const {
+  const metrics::Scale scale = metrics::scaleNamed(measurand_.scale);
+  const std::vector<std::string> used = expression.variables();
+  for (const metrics::Metric& metric : metrics::metricCatalog()) {
+    if (metrics::isMeaningful(metric.info, scale) || !isWanted(metric, used)) continue;
+    throw core::InputError(placeOf(task_),
+                           fmt::format("{} needs an {} scale, and the measurand '{}' is {}.", metric.info.name,
+                                       metrics::toString(metric.info.scale), measurand_.name, measurand_.scale),
+                           "Use a metric of ranks, such as ks_statistic, or correct `scale` in the experiment.");
   }
 }
 

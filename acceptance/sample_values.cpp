@@ -28,16 +28,11 @@ std::vector<double> column(const core::Detections& detections, const std::string
   return *values;
 }
 
-bool isWanted(const metrics::Metric& metric, std::span<const std::string> wanted) {
-  if (std::find(kAlways.begin(), kAlways.end(), metric.info.name) != kAlways.end()) return true;
-  if (std::find(wanted.begin(), wanted.end(), metric.info.name) != wanted.end()) return true;
-  for (std::size_t part = 0; part < metric.parts.size(); ++part) {
-    if (std::find(wanted.begin(), wanted.end(), variableName(metric, part)) != wanted.end()) return true;
-  }
-  return false;
+bool isShown(const metrics::Metric& metric, std::span<const std::string> wanted) {
+  return std::find(kAlways.begin(), kAlways.end(), metric.info.name) != kAlways.end() || isWanted(metric, wanted);
 }
 
-void addMetrics(std::map<std::string, double>& values, const Distributions& distributions,
+void addMetrics(std::map<std::string, double>& values, const Distributions& distributions, metrics::Scale scale,
                 std::span<const std::string> wanted, const metrics::MetricOptions& options) {
   const metrics::Edf measured(distributions.measured);
   std::vector<metrics::Edf> runs;
@@ -52,7 +47,7 @@ void addMetrics(std::map<std::string, double>& values, const Distributions& dist
   const metrics::MetricInput input({.simulated = simulated_box, .measured = measured_box},
                                    {.simulated = simulated, .measured = measured}, options);
   for (const metrics::Metric& metric : metrics::metricCatalog()) {
-    if (!isWanted(metric, wanted)) continue;
+    if (!isShown(metric, wanted) || !metrics::isMeaningful(metric.info, scale)) continue;
     const std::vector<double> numbers = metric.compute(input);
     for (std::size_t part = 0; part < numbers.size(); ++part) values[variableName(metric, part)] = numbers[part];
   }
@@ -63,6 +58,14 @@ void addMetrics(std::map<std::string, double>& values, const Distributions& dist
 std::string variableName(const metrics::Metric& metric, std::size_t part) {
   if (metric.parts.empty()) return std::string(metric.info.name);
   return std::string(metric.info.name) + "_" + std::string(metric.parts[part]);
+}
+
+bool isWanted(const metrics::Metric& metric, std::span<const std::string> wanted) {
+  if (std::find(wanted.begin(), wanted.end(), metric.info.name) != wanted.end()) return true;
+  for (std::size_t part = 0; part < metric.parts.size(); ++part) {
+    if (std::find(wanted.begin(), wanted.end(), variableName(metric, part)) != wanted.end()) return true;
+  }
+  return false;
 }
 
 bool Distributions::complete() const {
@@ -83,10 +86,10 @@ std::map<std::string, double> valuesOf(const Sides& sides, const Distributions& 
   std::map<std::string, double> values;
   for (const metrics::Metric& metric : metrics::metricCatalog()) {
     for (std::size_t part = 0; part < std::max<std::size_t>(1, metric.parts.size()); ++part) {
-      if (isWanted(metric, wanted)) values[variableName(metric, part)] = kUndefined;
+      if (isShown(metric, wanted)) values[variableName(metric, part)] = kUndefined;
     }
   }
-  if (distributions.complete()) addMetrics(values, distributions, wanted, options);
+  if (distributions.complete()) addMetrics(values, distributions, sides.scale, wanted, options);
 
   const gap::Frames measured = {sides.measured, sides.measured_frames};
   const gap::Frames simulated = {sides.simulated.front(), sides.simulated_frames};

@@ -15,6 +15,7 @@ struct Sides {
   const core::Detections& measured;
   std::span<const core::Detections> simulated;  ///< centre first, then the corners; not empty
   std::string column;                           ///< of the measurand
+  metrics::Scale scale;                         ///< of the measurand; what it does not allow is NaN
   int measured_frames;
   int simulated_frames;
   std::size_t beams_per_frame;
@@ -37,5 +38,8 @@ struct Distributions {
 
 /// Name of the number that an expression sees: "d_bias", or "ks_p_value" for one of several.
 [[nodiscard]] std::string variableName(const metrics::Metric& metric, std::size_t part);
+
+/// Whether one of `wanted` is the metric or a number of it.
+[[nodiscard]] bool isWanted(const metrics::Metric& metric, std::span<const std::string> wanted);
 
 }  // namespace acceptance

@@ -10,6 +10,7 @@
 #include "metrics/samples/kolmogorov_smirnov.h"
 #include "metrics/samples/moment_differences.h"
 #include "metrics/samples/wasserstein.h"
+#include "metrics/series/series_metrics.h"
 
 namespace metrics {
 
@@ -29,12 +30,19 @@ Metric ofPooledRuns(const MetricOf<SamplePair>& metric) {
 
 std::vector<MetricOf<SamplePair>> samplesMetrics() {
   using Numbers = std::vector<double>;
-  const auto info = [](std::string_view name, std::string_view meaning, MetricUnit unit, int number = 0) {
-    return MetricInfo{
-        .number = number, .name = name, .title = name, .meaning = meaning, .unit = unit, .data = {DataKind::Values}};
+  const auto info = [](std::string_view name, std::string_view meaning, MetricUnit unit, int number = 0,
+                       Scale scale = Scale::Interval) {
+    return MetricInfo{.number = number,
+                      .name = name,
+                      .title = name,
+                      .meaning = meaning,
+                      .unit = unit,
+                      .scale = scale,
+                      .data = {DataKind::Values}};
   };
   return {
-      {.info = info("ks", "Kolmogorov-Smirnov test, pooled; p too large with ties", MetricUnit::None),
+      {.info =
+           info("ks", "Kolmogorov-Smirnov test, pooled; p too large with ties", MetricUnit::None, 0, Scale::Ordinal),
        .shape = MetricShape::Object,
        .parts = {"statistic", "p_value"},
        .compute =
@@ -86,6 +94,7 @@ const Metric& metricNamed(std::string_view name) {
 std::vector<MetricInfo> allMetricInfos() {
   std::vector<MetricInfo> infos;
   append<MetricInput>(metricCatalog(), infos);
+  append<SeriesInput>(seriesMetrics(), infos);
   std::stable_sort(infos.begin(), infos.end(), [](const MetricInfo& a, const MetricInfo& b) {
     constexpr int kLast = 1000;
     return (a.number == 0 ? kLast : a.number) < (b.number == 0 ? kLast : b.number);

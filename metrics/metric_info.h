@@ -43,7 +43,9 @@ struct MetricInfo {
   Scale scale = Scale::Interval;
   std::vector<DataKind> data;
   bool p_box = false;       ///< handles epistemic uncertainty
+  bool on_request = false;  ///< too slow or too special to be computed unless it is named
   std::string_view source;  ///< author, year, doi or equation
+  std::string_view meets;   ///< digits of the criteria for validation metrics (docs/metrics.md) that it meets: "1257"
 };
 
 /// A metric on one kind of data. Options it takes (orders, cut-offs) are part of the input.

@@ -130,6 +130,21 @@ TEST(Evaluate, WhatAUserMustRepairIsAnErrorWithItsPlace) {
   EXPECT_THAT(evaluated(project, "d_bias <= 1").text, HasSubstr("r10.csv:2"));
 }
 
+// Ranks have no differences: their bias would be a number without a meaning. Ranks can be compared by their CDF.
+TEST(Evaluate, AMetricOfDifferencesIsRefusedForAMeasurandOfRanks) {
+  const SmallProject project;
+  std::string experiment = core::readFile(project.folder() / "wall/experiment.json");
+  const std::string ratio = R"("scale": "ratio")";
+  experiment.replace(experiment.find(ratio), ratio.size(), R"("scale": "ordinal")");
+  project.folder().write("wall/experiment.json", experiment);
+  const TestResult refused = evaluated(project, "abs(d_bias) <= 1");
+  EXPECT_EQ(refused.verdict, Verdict::Error);
+  EXPECT_THAT(refused.text, HasSubstr("d_bias needs an interval scale, and the measurand 'range' is ordinal"));
+  const TestResult allowed = evaluated(project, "ks_statistic <= 1");
+  EXPECT_EQ(allowed.verdict, Verdict::Passed) << allowed.text;
+  EXPECT_TRUE(std::isnan(allowed.samples[0].values.at("d_avm")));
+}
+
 TEST(Evaluate, ATestWithoutExperimentIsSkipped) {
   const SmallProject project;
   specs::AcceptanceTest test = SmallProject::rangeTest("RangeError_1", "");

@@ -135,6 +135,42 @@ TEST_F(MetricCommand, ExperimentsWidenTheIntervalWhenTheyAreFew) {
   EXPECT_EQ(lower({"--experiments", "3"}), lower({}));
 }
 
+// Ranks have an order and no differences: what needs differences is left out, and refused when it is asked for.
+TEST_F(MetricCommand, AScaleOfMeasurementKeepsOutWhatItDoesNotAllow) {
+  const std::vector<std::string> words{"metric", real(), simulated(), "--column", "epw_m", "--scale", "epw_m=ordinal"};
+  std::vector<std::string> json_words = words;
+  json_words.insert(json_words.end(), {"--json", "-"});
+  const json epw = measurandOf(runFidelis(json_words));
+  EXPECT_EQ(epw.at("scale"), "ordinal");
+  EXPECT_FALSE(epw.contains("d_avm"));
+  EXPECT_THAT(epw.at("left_out"), testing::Contains("d_avm"));
+  EXPECT_EQ(epw.at("ks").at("statistic"), 0.0);
+  std::vector<std::string> asked = words;
+  asked.insert(asked.end(), {"--metric", "d_bias"});
+  const ProgramRun refused = runFidelis(asked);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.messages, HasSubstr("metric 'd_bias': needs an interval scale, and epw_m is ordinal"));
+}
+
+// Row by row 5 m apart: every distance of pairs is known.
+TEST_F(MetricCommand, SeriesAreComparedRowByRow) {
+  const json range = measurandOf(
+      runFidelis({"metric", real(), simulated(), "--data", "series", "--column", "range_m", "--json", "-"}));
+  EXPECT_DOUBLE_EQ(range.at("manhattan").get<double>(), 15.0);
+  EXPECT_DOUBLE_EQ(range.at("rmse").get<double>(), 5.0);
+  EXPECT_DOUBLE_EQ(range.at("pearson").get<double>(), 1.0);
+  const ProgramRun shorter = runFidelis({"metric", real(), file("short.csv", "range_m\n1\n"), "--data", "series",
+                                         "--column", "range_m", "--metric", "rmse"});
+  EXPECT_EQ(shorter.status, 2);
+  EXPECT_THAT(shorter.messages, testing::AllOf(HasSubstr("3"), HasSubstr("1")));
+}
+
+TEST_F(MetricCommand, AMetricOfAnotherKindOfDataIsToldWhichKind) {
+  const ProgramRun run = runFidelis({"metric", real(), simulated(), "--column", "range_m", "--metric", "rmse"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.messages, HasSubstr("Give --data series"));
+}
+
 TEST_F(MetricCommand, CompressedFileGivesTheSameBytes) {
   const std::string plain = real();
   const std::string packed = (folder_ / "real.csv.gz").string();
@@ -191,8 +227,8 @@ TEST_F(MetricCommand, BadInputEndsWithStatusTwoAndSaysWhere) {
   expectError({good, other, "--column", "range_m", "--unit", "m", "--unit", "ft"}, {"--unit: is given 2 times"});
   expectError({good, other, "--column", "range_m", "--shift", "two"}, {"--shift"});
   expectError({good, other, "--column", "range_m", "--experiments", "0"}, {"--experiments"});
-  expectError({good, other}, {"--column is required"});
-  expectError({good, "--column", "range_m"}, {"SIM is required"});
+  expectError({good, other}, {"--column: is required"});
+  expectError({good, "--column", "range_m"}, {"SIM: is required"});
 }
 
 TEST_F(MetricCommand, JsonThatCannotBeWrittenIsAnErrorNotASilence) {

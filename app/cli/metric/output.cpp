@@ -1,0 +1,152 @@
+#include "app/cli/metric/output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <ostream>
+
+#include "core/text.h"
+#include "core/version.h"
+
+namespace app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string unitText(metrics::MetricUnit unit, const std::string& measurand) {
+  switch (unit) {
+    case metrics::MetricUnit::Measurand:
+      return measurand;
+    case metrics::MetricUnit::Square:
+      return measurand.empty() ? "" : measurand + "^2";
+    case metrics::MetricUnit::Cells:
+      return "cells";
+    case metrics::MetricUnit::Bit:
+      return "bit";
+    case metrics::MetricUnit::None:
+      break;
+  }
+  return "";
+}
+
+ordered_json jsonOf(const MetricResult& result) {
+  if (result.shape == metrics::MetricShape::Number) return result.numbers.front();
+  if (result.shape == metrics::MetricShape::List) return result.numbers;
+  ordered_json object = ordered_json::object();
+  for (std::size_t i = 0; i < result.numbers.size(); ++i) object[std::string(result.parts[i])] = result.numbers[i];
+  return object;
+}
+
+ordered_json optionsOf(const MetricRequest& request) {
+  ordered_json options{{"data", request.data}, {"shift", request.shift}, {"experiments", nullptr}};
+  if (request.experiments) options["experiments"] = *request.experiments;
+  if (!request.settings.empty()) options["set"] = request.settings;
+  return options;
+}
+
+std::string numberForReader(double value) { return std::isnan(value) ? "-" : core::significant(value, 6); }
+
+std::string valueForReader(const std::vector<double>& numbers) {
+  if (numbers.size() == 1) return numberForReader(numbers.front());
+  std::vector<std::string> parts;
+  for (const double value : numbers) parts.push_back(numberForReader(value));
+  return "[" + core::join(parts) + "]";
+}
+
+std::string leftOutText(const MeasurandResult& measurand) {
+  const std::vector<std::string> names(measurand.left_out.begin(), measurand.left_out.end());
+  return fmt::format("  left out, because {} is {}: {}\n", measurand.name, metrics::toString(measurand.scale),
+                     core::join(names));
+}
+
+std::string kindsOf(const metrics::MetricInfo& info) {
+  std::vector<std::string> kinds;
+  for (const metrics::DataKind kind : info.data) kinds.emplace_back(metrics::toString(kind));
+  return core::join(kinds);
+}
+
+std::string listUnit(metrics::MetricUnit unit) {
+  const std::string text = unitText(unit, "measurand");
+  return text.empty() ? "-" : text;
+}
+
+/// A bar would end the cell.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char letter : text) escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
+  return escaped.empty() ? "-" : escaped;
+}
+
+}  // namespace
+
+ordered_json metricDocument(std::span<const MeasurandResult> measurands, const MetricRequest& request) {
+  ordered_json document{{"format", "fidelis-metric"}, {"version", 1}, {"fidelis_version", core::kVersion}};
+  document["real"] = request.real;
+  document["simulated"] = request.simulated;
+  document["options"] = optionsOf(request);
+  document["measurands"] = ordered_json::array();
+  for (const MeasurandResult& measurand : measurands) {
+    ordered_json entry{{"name", measurand.name}, {"unit", measurand.unit}, {"n_real", measurand.n_real}};
+    entry["n_sim"] = measurand.n_sim;
+    entry["scale"] = metrics::toString(measurand.scale);
+    for (const MetricResult& result : measurand.results) entry[std::string(result.info.name)] = jsonOf(result);
+    if (!measurand.left_out.empty()) entry["left_out"] = measurand.left_out;
+    document["measurands"].push_back(std::move(entry));
+  }
+  return document;
+}
+
+void writeMetricTable(std::span<const MeasurandResult> measurands, std::ostream& out) {
+  for (const MeasurandResult& measurand : measurands) {
+    std::vector<std::string> sizes;
+    for (const std::size_t n : measurand.n_sim) sizes.push_back(std::to_string(n));
+    out << fmt::format("{}: n = {} measured, {} simulated{}\n", measurand.name, measurand.n_real,
+                       core::join(sizes, " + "), sizes.size() > 1 ? " (p-box)" : "");
+    std::size_t width = 18;
+    for (const MetricResult& result : measurand.results) width = std::max(width, result.info.name.size());
+    out << fmt::format("  {:<{}} {:>24}  {:<5} {}\n", "metric", width, "value", "unit", "meaning");
+    for (const MetricResult& result : measurand.results) {
+      const std::string unit = unitText(result.info.unit, measurand.unit);
+      out << fmt::format("  {:<{}} {:>24}  {:<5} {}\n", result.info.name, width, valueForReader(result.numbers),
+                         unit.empty() ? "-" : unit, result.info.meaning);
+    }
+    if (!measurand.left_out.empty()) out << leftOutText(measurand);
+  }
+}
+
+std::string metricListAsMarkdown() {
+  std::string text =
+      "| No. | name | metric | formula | best … worst | unit | scale | data | p-box | criteria | source |\n"
+      "|-|-|-|-|-|-|-|-|-|-|-|\n";
+  for (const metrics::MetricInfo& info : metrics::allMetricInfos()) {
+    text += fmt::format("| {} | `{}` | {}: {} | {} | {} … {} | {} | {} | {} | {} | {} | {} |\n",
+                        info.number == 0 ? "-" : std::to_string(info.number), info.name, cell(info.title),
+                        cell(info.meaning), cell(info.formula), cell(info.best), cell(info.worst), listUnit(info.unit),
+                        metrics::toString(info.scale), kindsOf(info), info.p_box ? "yes" : "no", cell(info.meets),
+                        cell(info.source));
+  }
+  return text;
+}
+
+ordered_json metricListAsJson() {
+  ordered_json list = ordered_json::array();
+  for (const metrics::MetricInfo& info : metrics::allMetricInfos()) {
+    ordered_json entry{{"name", info.name}, {"title", info.title}, {"meaning", info.meaning}};
+    entry["number"] = info.number == 0 ? ordered_json(nullptr) : ordered_json(info.number);
+    entry["formula"] = info.formula;
+    entry["best"] = info.best;
+    entry["worst"] = info.worst;
+    entry["unit"] = listUnit(info.unit);
+    entry["scale"] = metrics::toString(info.scale);
+    entry["data"] = ordered_json::array();
+    for (const metrics::DataKind kind : info.data) entry["data"].push_back(metrics::toString(kind));
+    entry["p_box"] = info.p_box;
+    entry["criteria"] = info.meets;
+    entry["source"] = info.source;
+    list.push_back(std::move(entry));
+  }
+  return {{"format", "fidelis-metric-list"}, {"version", 1}, {"fidelis_version", core::kVersion}, {"metrics", list}};
+}
+
+}  // namespace app

@@ -1,0 +1,80 @@
+#include "app/cli/metric/request.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "metrics/metric_catalog.h"
+
+namespace app {
+
+namespace {
+
+/// From the suffix of the column's name; "" if it has none that is known.
+std::string unitOfName(const std::string& column) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kUnits{{
+      {"_m_s", "m/s"},
+      {"_m", "m"},
+      {"_mm", "mm"},
+      {"_cm", "cm"},
+      {"_rad", "rad"},
+      {"_deg", "deg"},
+      {"_s", "s"},
+      {"_ms", "ms"},
+      {"_ns", "ns"},
+      {"_nw", "nW"},
+      {"_w", "W"},
+      {"_hz", "Hz"},
+      {"intensity", "nW"},
+  }};
+  const std::string name = core::lowerCase(column);
+  for (const auto& [suffix, unit] : kUnits) {
+    if (name.ends_with(suffix)) return std::string(unit);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string MetricRequest::unitOfColumn(std::size_t index) const {
+  if (units.empty()) return unitOfName(columns[index]);
+  return units[units.size() == 1 ? 0 : index];
+}
+
+metrics::Scale MetricRequest::scaleOfColumn(const std::string& column) const {
+  metrics::Scale scale = metrics::Scale::Ratio;
+  for (const std::string& text : scales) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) scale = metrics::scaleNamed(text);
+    if (equals != std::string::npos && text.substr(0, equals) == column) {
+      return metrics::scaleNamed(text.substr(equals + 1));
+    }
+  }
+  return scale;
+}
+
+MetricSettings::MetricSettings(const MetricRequest& request, std::map<std::string, double> defaults)
+    : values_(std::move(defaults)) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values_) names.push_back(name);
+  for (const std::string& text : request.settings) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    if (!values_.contains(name)) {
+      const std::string nearest = core::nearestName(name, names);
+      throw core::InputError({.item = "--set " + text}, "is no setting for " + request.data + ".",
+                             !nearest.empty() ? "Did you mean '" + nearest + "'?"
+                             : names.empty()  ? "This kind of data has no settings."
+                                              : "Its settings are " + core::join(names) + ".");
+    }
+    const std::string number = equals < text.size() ? text.substr(equals + 1) : "";
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), values_[name]);
+    if (error != std::errc() || end != number.data() + number.size()) {
+      throw core::InputError({.item = "--set " + text}, "gives no number.", "Write it as --set " + name + "=2.5.");
+    }
+  }
+}
+
+}  // namespace app

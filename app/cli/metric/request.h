@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "metrics/metric_info.h"
+#include "metrics/value_input.h"
+
+namespace app {
+
+/// What `fidelis metric` was asked for.
+struct MetricRequest {
+  std::string real;
+  std::vector<std::string> simulated;
+  std::string data = "values";
+  std::vector<std::string> columns;
+  std::vector<std::string> units;
+  std::vector<std::string> metrics;
+  std::vector<std::string> scales;    ///< "ordinal", or "column=ordinal"
+  std::vector<std::string> settings;  ///< "cut_off=2"
+  std::string shift = "one";
+  std::optional<double> experiments;
+  bool list = false;
+  std::string json;
+
+  [[nodiscard]] std::string unitOfColumn(std::size_t index) const;
+  [[nodiscard]] metrics::Scale scaleOfColumn(const std::string& column) const;
+};
+
+/// Settings of the metrics of one kind of data, by name with their defaults. Throws InputError for a setting that is
+/// not among them (with the nearest) and for what is no number.
+class MetricSettings {
+ public:
+  MetricSettings(const MetricRequest& request, std::map<std::string, double> defaults);
+  [[nodiscard]] double operator[](const std::string& name) const { return values_.at(name); }
+  [[nodiscard]] const std::map<std::string, double>& all() const noexcept { return values_; }
+
+ private:
+  std::map<std::string, double> values_;
+};
+
+}  // namespace app
