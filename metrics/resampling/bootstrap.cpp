@@ -126,7 +126,8 @@ void draw(const SortedSides& sides, const BootstrapOptions& options, std::size_t
                          .sample = static_cast<std::uint32_t>(replicate),
                          .frame = static_cast<std::uint32_t>(k),
                          .purpose = core::purposeOf("bootstrap")});
-    drawWithReplacement(sides.side(k).unitCount(), options.block, random, counts[k]);
+    const std::size_t units = sides.side(k).unitCount();
+    drawWithReplacement(units, units, options.block, random, counts[k]);
   }
 }
 
@@ -211,16 +212,19 @@ BootstrapReplicates bootstrapReplicates(const UnitComparison& samples, std::size
   return result;
 }
 
+ConfidenceInterval intervalOf(const BootstrapReplicates& all, std::size_t figure, const BootstrapOptions& options) {
+  const double estimate = all.estimates[figure];
+  return options.method == IntervalMethod::BCa
+             ? bcaInterval(estimate, all.replicates[figure], all.influences[figure], options.confidence)
+             : percentileInterval(estimate, all.replicates[figure], options.confidence);
+}
+
 std::vector<ConfidenceInterval> bootstrapIntervals(const UnitComparison& samples, std::size_t figure_count,
                                                    const Figures& figures, const BootstrapOptions& options,
                                                    core::Progress& progress) {
   const BootstrapReplicates all = bootstrapReplicates(samples, figure_count, figures, options, progress);
   std::vector<ConfidenceInterval> intervals;
-  for (std::size_t f = 0; f < figure_count; ++f) {
-    intervals.push_back(options.method == IntervalMethod::BCa
-                            ? bcaInterval(all.estimates[f], all.replicates[f], all.influences[f], options.confidence)
-                            : percentileInterval(all.estimates[f], all.replicates[f], options.confidence));
-  }
+  for (std::size_t f = 0; f < figure_count; ++f) intervals.push_back(intervalOf(all, f, options));
   return intervals;
 }
 

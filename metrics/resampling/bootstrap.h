@@ -71,4 +71,8 @@ struct BootstrapReplicates {
                                                       const Figures& figures, const BootstrapOptions& options,
                                                       core::Progress& progress);
 
+/// Of one figure, with the method and the confidence of the options.
+[[nodiscard]] ConfidenceInterval intervalOf(const BootstrapReplicates& all, std::size_t figure,
+                                            const BootstrapOptions& options);
+
 }  // namespace metrics

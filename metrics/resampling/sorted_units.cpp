@@ -69,16 +69,17 @@ SortedUnits::SortedUnits(const UnitSample& units, const std::string& sample) {
 void SortedUnits::countSteps(std::span<const std::uint32_t> unit_counts, Counts& step_counts) const {
   step_counts.assign(steps_.size(), 0);
   for (std::size_t u = 0; u < unit_counts.size(); ++u) {
-    for (std::size_t i = begins_[u]; i < begins_[u + 1]; ++i) step_counts[step_of_[i]] += unit_counts[u];
+    for (const std::uint32_t step : stepsOfUnit(u)) step_counts[step] += unit_counts[u];
   }
 }
 
-void drawWithReplacement(std::size_t count, std::size_t block, core::Random& random, Counts& counts) {
-  counts.assign(count, 0);
-  const auto starts = static_cast<std::uint32_t>(count - block + 1);
-  for (std::size_t drawn = 0; drawn < count;) {
+void drawWithReplacement(std::size_t units, std::size_t draws, std::size_t block, core::Random& random,
+                         Counts& counts) {
+  counts.assign(units, 0);
+  const auto starts = static_cast<std::uint32_t>(units - block + 1);
+  for (std::size_t drawn = 0; drawn < draws;) {
     const std::size_t start = random.below(starts);
-    const std::size_t end = start + std::min(block, count - drawn);
+    const std::size_t end = start + std::min(block, draws - drawn);
     for (std::size_t u = start; u < end; ++u) ++counts[u];
     drawn += end - start;
   }

@@ -28,6 +28,10 @@ class SortedUnits {
   [[nodiscard]] std::span<const std::uint32_t> units() const noexcept { return units_; }
   /// Distinct values, ascending.
   [[nodiscard]] std::span<const double> steps() const noexcept { return steps_; }
+  /// Steps of the values of the u-th unit.
+  [[nodiscard]] std::span<const std::uint32_t> stepsOfUnit(std::size_t u) const noexcept {
+    return std::span(step_of_).subspan(begins_[u], begins_[u + 1] - begins_[u]);
+  }
 
   /// How often each step occurs if unit u is taken unit_counts[u] times.
   void countSteps(std::span<const std::uint32_t> unit_counts, Counts& step_counts) const;
@@ -39,8 +43,8 @@ class SortedUnits {
   std::vector<std::uint32_t> step_of_;  // each value's step, by unit
 };
 
-/// Draws as many of `count` units as there are, with replacement, in runs of `block` neighbours (the last run is cut).
+/// Draws `draws` times from `units` units with replacement, in runs of `block` neighbours (the last run is cut).
 /// Source: Efron 1979, doi:10.1214/aos/1176344552 (block = 1); Künsch 1989, doi:10.1214/aos/1176347265.
-void drawWithReplacement(std::size_t count, std::size_t block, core::Random& random, Counts& counts);
+void drawWithReplacement(std::size_t units, std::size_t draws, std::size_t block, core::Random& random, Counts& counts);
 
 }  // namespace metrics

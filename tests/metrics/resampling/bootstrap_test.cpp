@@ -9,6 +9,7 @@
 #include "metrics/area/double_validation_metric.h"
 #include "metrics/samples/moment_differences.h"
 #include "tests/metrics/random_cases.h"
+#include "tests/metrics/resampling/normal_samples.h"
 #include "tests/support/thrown_message.h"
 
 namespace {
@@ -20,6 +21,7 @@ using metrics::ConfidenceInterval;
 using metrics::IntervalMethod;
 using metrics::SamplePair;
 using metrics::UnitComparison;
+using metrics_test::normalSample;
 
 using Values = std::vector<double>;
 using Units = std::vector<std::uint32_t>;
@@ -54,13 +56,6 @@ ConfidenceInterval intervalOf(const UnitComparison& samples, const metrics::Figu
                               const BootstrapOptions& options) {
   core::SilentProgress progress;
   return metrics::bootstrapIntervals(samples, 1, figure, options, progress).front();
-}
-
-Values normals(std::uint32_t sample, std::size_t n, double mean, double deviation) {
-  core::Random random({.seed = 9, .sample = sample});
-  Values values(n);
-  for (double& x : values) x = mean + deviation * random.normal();
-  return values;
 }
 
 double variance(const Values& values) {
@@ -106,8 +101,8 @@ TEST(Bootstrap, InfluencesAreTheJackknifesOfEachValue) {
 // The bootstrap variance of a mean is known without drawing: s^2/n with n in the denominator. From B replicates it
 // scatters by 1/sqrt(2 B) of the standard error; 4 of that.
 TEST(Bootstrap, StandardErrorOfTheBiasIsThatOfTwoMeans) {
-  const Values simulated = normals(1, 80, 22.0, 0.6);
-  const Values measured = normals(2, 50, 22.3, 0.2);
+  const Values simulated = normalSample(1, 80, 22.0, 0.6);
+  const Values measured = normalSample(2, 50, 22.3, 0.2);
   const double expected = std::sqrt(variance(simulated) / 80.0 + variance(measured) / 50.0);
   const ConfidenceInterval interval = intervalOf(singles(simulated, measured), differenceOfMeans, {.replicates = 4000});
   EXPECT_NEAR(interval.standard_error, expected, 4.0 * expected / std::sqrt(8000.0));
@@ -119,8 +114,8 @@ TEST(Bootstrap, StandardErrorOfTheBiasIsThatOfTwoMeans) {
 TEST(Bootstrap, IntervalOfTheBiasCoversTheTruthAsOftenAsAsked) {
   int covered = 0;
   for (std::uint32_t k = 0; k < 400; ++k) {
-    const Values simulated = normals(1000 + 2 * k, 40, 0.5, 1.0);
-    const Values measured = normals(1001 + 2 * k, 40, 0.0, 1.0);
+    const Values simulated = normalSample(1000 + 2 * k, 40, 0.5, 1.0);
+    const Values measured = normalSample(1001 + 2 * k, 40, 0.0, 1.0);
     const ConfidenceInterval interval =
         intervalOf(singles(simulated, measured), differenceOfMeans, {.replicates = 399, .confidence = 0.9, .seed = k});
     covered += interval.low <= 0.5 && 0.5 <= interval.high ? 1 : 0;
@@ -162,7 +157,7 @@ TEST(Bootstrap, IsIndependentOfTheOrderOfTheSample) {
 // Ten equal detections a frame hold no more than one: by frame the interval is that of the frames' means, by
 // detection it is sqrt(10) times too narrow.
 TEST(Bootstrap, ByFrameIsNotDeceivedByRepeatedDetections) {
-  const Values frame_means = normals(3, 60, 22.0, 0.3);
+  const Values frame_means = normalSample(3, 60, 22.0, 0.3);
   Values sorted = frame_means;
   std::sort(sorted.begin(), sorted.end());
   Values detections;
@@ -235,8 +230,8 @@ TEST(Bootstrap, OfPairedSetUpsKeepsOnlyWhatDiffers) {
 
 TEST(Bootstrap, PoolsTheRunsOfABoxForMetricsWithoutBoxes) {
   const Values real{0.0, 0.0};
-  const Values a = normals(5, 30, 1.0, 0.1);
-  const Values b = normals(6, 10, 5.0, 0.1);
+  const Values a = normalSample(5, 30, 1.0, 0.1);
+  const Values b = normalSample(6, 10, 5.0, 0.1);
   const UnitComparison samples{.simulated = {{.values = a, .units = {}}, {.values = b, .units = {}}},
                                .measured = {.values = real, .units = {}}};
   Values pooled = a;

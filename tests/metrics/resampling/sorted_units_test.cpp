@@ -83,7 +83,7 @@ TEST(DrawWithReplacement, TakesAsManyUnitsAsThereAre) {
     for (std::uint32_t replicate = 0; replicate < 50; ++replicate) {
       core::Random random = randomOf(replicate);
       Counts counts;
-      metrics::drawWithReplacement(20, block, random, counts);
+      metrics::drawWithReplacement(20, 20, block, random, counts);
       EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0u), 20u);
     }
   }
@@ -99,7 +99,7 @@ TEST(DrawWithReplacement, GivesMultinomialCounts) {
   for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
     core::Random random = randomOf(replicate);
     Counts counts;
-    metrics::drawWithReplacement(units, 1, random, counts);
+    metrics::drawWithReplacement(units, units, 1, random, counts);
     for (std::size_t u = 0; u < units; ++u) {
       squares += (counts[u] - 1.0) * (counts[u] - 1.0);
       of_unit[u] += counts[u];
@@ -114,7 +114,7 @@ TEST(DrawWithReplacement, KeepsNeighboursOfABlockTogether) {
   for (std::uint32_t replicate = 0; replicate < 200; ++replicate) {
     core::Random random = randomOf(replicate);
     Counts counts;
-    metrics::drawWithReplacement(40, 20, random, counts);
+    metrics::drawWithReplacement(40, 40, 20, random, counts);
     int changes = counts.front() > 0 ? 1 : 0;
     for (std::size_t u = 1; u < counts.size(); ++u) changes += counts[u] != counts[u - 1] ? 1 : 0;
     changes += counts.back() > 0 ? 1 : 0;
