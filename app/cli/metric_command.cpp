@@ -22,9 +22,10 @@ struct Kind {
 };
 
 /// The list: one line a kind of data.
-constexpr std::array<Kind, 2> kKinds{{
+constexpr std::array<Kind, 3> kKinds{{
     {metrics::DataKind::Values, "a column of each file, in any order; several SIM files make a p-box", compareValues},
     {metrics::DataKind::Series, "a column of each file, row by row in step", compareSeries},
+    {metrics::DataKind::PointCloud, "columns x_m y_m z_m, or range_m azimuth_rad elevation_rad", comparePointClouds},
 }};
 
 const Kind& kindOf(const std::string& data) {
@@ -144,10 +145,29 @@ void mustHaveColumns(const MetricRequest& request) {
   }
 }
 
+void mustHaveNoColumns(const MetricRequest& request) {
+  const bool column = !request.columns.empty();
+  if (!column && request.scales.empty() && request.units.empty()) return;
+  throw core::InputError({.item = column                  ? "--column"
+                                  : request.units.empty() ? "--scale"
+                                                          : "--unit"},
+                         "is not for --data " + request.data + ".",
+                         "These files have fixed columns; fidelis metric --help lists them.");
+}
+
 void mustHaveOneSimulation(const MetricRequest& request) {
   if (request.simulated.size() == 1) return;
   throw core::InputError({.file = request.simulated[1]}, "is one file too many for --data " + request.data + ".",
                          "Only values make a p-box of several SIM files; compare them one by one.");
+}
+
+std::optional<core::InputError> scaleError(const metrics::MetricInfo& info, const MeasurandResult& measurand) {
+  if (metrics::isMeaningful(info, measurand.scale)) return std::nullopt;
+  return core::InputError(
+      {.item = "metric '" + std::string(info.name) + "'"},
+      fmt::format("needs an {} scale, and {} is {}.", metrics::toString(info.scale), measurand.name,
+                  metrics::toString(measurand.scale)),
+      "Differences of ranks or names mean nothing. Use a metric of ranks, such as ks, or correct --scale.");
 }
 
 void throwUnknownMetric(const std::string& name, const std::string& data, const std::vector<std::string>& known) {

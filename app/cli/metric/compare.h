@@ -18,6 +18,7 @@ std::vector<MeasurandResult> compareTracks(const MetricRequest& request, const S
 
 /// What is wrong with a request before any file is opened. Throws InputError.
 void mustHaveColumns(const MetricRequest& request);
+void mustHaveNoColumns(const MetricRequest& request);
 void mustHaveOneSimulation(const MetricRequest& request);
 
 }  // namespace app

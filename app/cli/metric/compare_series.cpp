@@ -7,9 +7,8 @@ namespace app {
 namespace {
 
 std::optional<std::size_t> countSetting(const MetricSettings& settings, const std::string& name) {
-  const double value = settings[name];
-  if (value < 0.0) return std::nullopt;  // the default: not given
-  return static_cast<std::size_t>(value);
+  if (settings[name] < 0.0) return std::nullopt;  // the default: not given
+  return settings.count(name);
 }
 
 }  // namespace

@@ -54,10 +54,19 @@ std::string valueForReader(const std::vector<double>& numbers) {
   return "[" + core::join(parts) + "]";
 }
 
+/// One line a reason.
 std::string leftOutText(const MeasurandResult& measurand) {
-  const std::vector<std::string> names(measurand.left_out.begin(), measurand.left_out.end());
-  return fmt::format("  left out, because {} is {}: {}\n", measurand.name, metrics::toString(measurand.scale),
-                     core::join(names));
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
+  for (const LeftOut& metric : measurand.left_out) {
+    auto found = std::find_if(by_reason.begin(), by_reason.end(), [&](auto& r) { return r.first == metric.reason; });
+    if (found == by_reason.end()) found = by_reason.insert(by_reason.end(), {metric.reason, {}});
+    found->second.emplace_back(metric.name);
+  }
+  std::string text;
+  for (const auto& [reason, names] : by_reason) {
+    text += fmt::format("  left out: {}: {}\n", core::join(names), reason);
+  }
+  return text;
 }
 
 std::string kindsOf(const metrics::MetricInfo& info) {
@@ -91,7 +100,7 @@ ordered_json metricDocument(std::span<const MeasurandResult> measurands, const M
     entry["n_sim"] = measurand.n_sim;
     entry["scale"] = metrics::toString(measurand.scale);
     for (const MetricResult& result : measurand.results) entry[std::string(result.info.name)] = jsonOf(result);
-    if (!measurand.left_out.empty()) entry["left_out"] = measurand.left_out;
+    for (const LeftOut& metric : measurand.left_out) entry["left_out"][std::string(metric.name)] = metric.reason;
     document["measurands"].push_back(std::move(entry));
   }
   return document;
@@ -111,7 +120,7 @@ void writeMetricTable(std::span<const MeasurandResult> measurands, std::ostream&
       out << fmt::format("  {:<{}} {:>24}  {:<5} {}\n", result.info.name, width, valueForReader(result.numbers),
                          unit.empty() ? "-" : unit, result.info.meaning);
     }
-    if (!measurand.left_out.empty()) out << leftOutText(measurand);
+    out << leftOutText(measurand);
   }
 }
 

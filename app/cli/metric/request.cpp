@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include "core/error.h"
@@ -75,6 +76,13 @@ MetricSettings::MetricSettings(const MetricRequest& request, std::map<std::strin
       throw core::InputError({.item = "--set " + text}, "gives no number.", "Write it as --set " + name + "=2.5.");
     }
   }
+}
+
+std::size_t MetricSettings::count(const std::string& name) const {
+  const double value = values_.at(name);
+  if (value >= 0.0 && value == std::floor(value)) return static_cast<std::size_t>(value);
+  throw core::InputError({.item = "--set " + name}, "must be a whole number, 0 or more.",
+                         "Write --set " + name + "=4.");
 }
 
 }  // namespace app

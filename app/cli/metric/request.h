@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,7 +36,8 @@ class MetricSettings {
  public:
   MetricSettings(const MetricRequest& request, std::map<std::string, double> defaults);
   [[nodiscard]] double operator[](const std::string& name) const { return values_.at(name); }
-  [[nodiscard]] const std::map<std::string, double>& all() const noexcept { return values_; }
+  /// A whole number >= 0. Throws InputError for any other.
+  [[nodiscard]] std::size_t count(const std::string& name) const;
 
  private:
   std::map<std::string, double> values_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,12 @@ struct MetricResult {
   std::vector<double> numbers;
 };
 
+/// A metric that these data do not allow, and why.
+struct LeftOut {
+  std::string_view name;
+  std::string reason;
+};
+
 /// The metrics of one measurand (a column, a cloud, a grid, …), with what a reader needs to judge them.
 struct MeasurandResult {
   std::string name;
@@ -26,7 +34,7 @@ struct MeasurandResult {
   std::vector<std::size_t> n_sim;
   metrics::Scale scale = metrics::Scale::Ratio;
   std::vector<MetricResult> results;
-  std::vector<std::string_view> left_out;  ///< metrics that this scale of measurement does not allow
+  std::vector<LeftOut> left_out;
 };
 
 template <typename Input>
@@ -53,24 +61,27 @@ MetricChoice<Input> choiceOf(std::span<const metrics::MetricOf<Input>> list, con
   return choice;
 }
 
-/// Computes the chosen metrics into `measurand`. One that asks more than the scale gives is left out and named there;
-/// if it was asked for by name it throws InputError.
+/// Why a metric means nothing on data of this scale; nothing if it does.
+[[nodiscard]] std::optional<core::InputError> scaleError(const metrics::MetricInfo& info,
+                                                         const MeasurandResult& measurand);
+
+/// Computes the chosen metrics into `measurand`. What was asked for by name must work; otherwise a metric that the data
+/// do not allow (scale, number of points, unequal lengths) is left out with the reason, as long as any metric works.
 template <typename Input>
 void evaluate(const MetricChoice<Input>& choice, const Input& input, const MetricRequest& request,
               MeasurandResult& measurand) {
+  std::optional<core::InputError> first;
   for (const auto* metric : choice) {
-    if (metrics::isMeaningful(metric->info, measurand.scale)) {
+    try {
+      if (const auto error = scaleError(metric->info, measurand)) throw *error;
       measurand.results.push_back({metric->info, metric->shape, metric->parts, metric->compute(input)});
-      continue;
+    } catch (const core::InputError& error) {
+      if (!request.metrics.empty()) throw;
+      if (!first) first = error;
+      measurand.left_out.push_back({metric->info.name, error.problem()});
     }
-    measurand.left_out.push_back(metric->info.name);
-    if (request.metrics.empty()) continue;
-    throw core::InputError(
-        {.item = "metric '" + std::string(metric->info.name) + "'"},
-        "needs an " + std::string(metrics::toString(metric->info.scale)) + " scale, and " + measurand.name + " is " +
-            std::string(metrics::toString(measurand.scale)) + ".",
-        "Differences of ranks or names mean nothing. Use a metric of ranks, such as ks, or correct --scale.");
   }
+  if (measurand.results.empty() && first) throw *first;
 }
 
 }  // namespace app
