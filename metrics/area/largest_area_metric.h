@@ -16,13 +16,17 @@ struct LargestArea {
 /// which, as in the AVM, the nearest part counts): how bad the simulation may be, where the AVM says how good.
 ///
 /// At every level p a quantile q(p) in [L(p), R(p)] is chosen, rising with p, to maximise int cost(p, q(p)) dp with
-/// cost = max(0, L_real - q, q - R_real).
+/// cost = max(0, L_real - q, q - R_real), which is convex in q and depends on p only through the edges.
 ///
-/// Why a search over edge values is exact: between two common levels the cost is constant in p and convex in q, so the
-/// whole is a convex function on the polytope of rising q and is largest at a vertex; at a vertex every stretch of
-/// equal q touches an edge, so each q is one of the edges' values. (A step of q inside a level can be moved to one of
-/// its ends: the sum is linear in where it lies.) With best(k, v) = largest sum over the first k levels whose last q is
-/// <= v,
+/// Why a search over edge values is exact:
+///   1. Within a level, where all edges are constant, let q rise from a to b. Being convex, the cost is nowhere larger
+///      than at a or at b. Constantly a, or constantly b, q still rises and stays in the box, and costs no less. So one
+///      value per level suffices, and finitely many numbers q_1 <= ... <= q_m remain, L_k <= q_k <= R_k.
+///   2. Their sum of costs is convex on this bounded polytope, hence largest at one of its corners.
+///   3. At a corner, take a run of equal q_k that differs from its neighbours. If none of them met its L_k or R_k, the
+///      run could move up and down a little, and a corner can not. So its value is one of the edges' values.
+///
+/// With best(k, v) = largest sum over the first k levels whose last q is <= v,
 ///
 ///   best(k, v) = max over edge values u <= v in [L_k, R_k] of best(k-1, u) + width_k cost_k(u)
 ///
@@ -30,8 +34,9 @@ struct LargestArea {
 /// the answer, in linear time (a box that is clear of the measurement, or a simulation wider than it).
 ///
 /// If the search would take more than `limit` steps, all values are first rounded to the finest grid that keeps to it.
-/// Moving the edges by at most h/2 moves every choice by at most h/2, and the measurement by as much: the error is
-/// at most the step h of the grid, and reported.
+/// No edge moves by more than h/2 on a grid of step h. A choice within the old edges, clipped to the new ones, still
+/// rises and moves by no more than that, and vice versa; the measurement moves by h/2 as well. The error is at most h,
+/// and reported.
 /// Source: Rosenberger 2022, ch. 8 (d_AVM,max); the published table follows the exact value, not the pointwise bound.
 [[nodiscard]] LargestArea largestAreaMetric(const Comparison& boxes, std::size_t limit = 50'000'000);
 

@@ -76,35 +76,6 @@ TEST(AreaMetric, OfTwoSamplesHasTheDifferenceOfMeansAsBias) {
   }
 }
 
-TEST(AreaMetric, OfTwoSamplesIsAMetric) {
-  RandomCases cases(13);
-  for (int k = 0; k < 500; ++k) {
-    const Edf a = cases.edf();
-    const Edf b = cases.edf();
-    const Edf c = cases.edf();
-    EXPECT_EQ(area(a, a), 0.0);
-    EXPECT_DOUBLE_EQ(area(a, b), area(b, a));
-    EXPECT_LE(area(a, c), area(a, b) + area(b, c) + 1e-12);
-  }
-}
-
-TEST(AreaMetric, OfBoxesIsNoMetric) {
-  const PBox box = PBox::fromInterval(0.0, 10.0);
-  EXPECT_EQ(area(Edf({0.0}), box), 0.0);
-  EXPECT_EQ(area(box, Edf({10.0})), 0.0);
-  EXPECT_EQ(area(Edf({0.0}), Edf({10.0})), 10.0);
-}
-
-TEST(AreaMetric, IsIndependentOfACommonOffset) {
-  RandomCases cases(14);
-  for (int k = 0; k < 200; ++k) {
-    const PBox simulated = cases.box();
-    const PBox measured = cases.box();
-    const double offset = cases.uniform(-50.0, 50.0);
-    EXPECT_NEAR(area(simulated.shifted(offset), measured.shifted(offset)), area(simulated, measured), 1e-11);
-  }
-}
-
 TEST(AreaMetric, ExchangedSidesExchangeThePortions) {
   RandomCases cases(15);
   for (int k = 0; k < 200; ++k) {

@@ -46,4 +46,18 @@ TEST(DoubleMetric, SeesTheWidthThatTheAreaExcuses) {
   }
 }
 
+// Both sides widened, by w and v: edges lie c - w + v and c + w - v apart.
+TEST(DoubleMetric, OfTwoBoxesIsTheDistanceOfEdges) {
+  RandomCases cases(52);
+  for (int k = 0; k < 100; ++k) {
+    const Edf edf = cases.edf();
+    const double c = cases.uniform(-2.0, 2.0);
+    const double w = cases.uniform(0.0, 2.0);
+    const double v = cases.uniform(0.0, 2.0);
+    const DoubleMetric metric = doubleMetric({.simulated = widened(edf.shifted(c), w), .measured = widened(edf, v)});
+    EXPECT_NEAR(metric.left, std::abs(c - w + v), 1e-13);
+    EXPECT_NEAR(metric.right, std::abs(c + w - v), 1e-13);
+  }
+}
+
 }  // namespace

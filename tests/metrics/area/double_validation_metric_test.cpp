@@ -107,6 +107,22 @@ TEST(DoubleValidationMetric, BoxOfEqualShapeHasNoScatter) {
   }
 }
 
+// {-2, 2} + c +- 0.1 against {0}, and both sides with width: nothing is covered before, on the way or after, so each
+// quantile counts the whole shift.
+TEST(DoubleValidationMetric, OneShiftIsExactWhileNoQuantileIsCovered) {
+  const PBox measured = Edf({0.0});
+  const PBox interval = PBox::fromInterval(-0.5, 0.5);
+  for (const double c : {-1.8, -0.3, 0.0, 0.7, 1.3}) {
+    const PBox simulated = widened(Edf({-2.0 + c, 2.0 + c}), 0.1);
+    EXPECT_NEAR(dvm(simulated, measured).bias, c, 1e-15);
+    EXPECT_NEAR(dvm(simulated, measured).residual, 0.0, 1e-15);
+    EXPECT_NEAR(dvm(simulated, measured).scatter, 1.9, 1e-15);
+    if (std::abs(c) > 1.4) continue;
+    EXPECT_NEAR(dvm(simulated, interval).residual, 0.0, 1e-15);
+    EXPECT_NEAR(dvm(simulated, interval).scatter, 1.4, 1e-15);
+  }
+}
+
 // g(b) falls with a slope between -1 and 0, so what one shift leaves has the bias's sign and is no larger.
 TEST(DoubleValidationMetric, ResidualHasTheSignOfTheBiasAndIsNotLarger) {
   RandomCases cases(35);

@@ -25,19 +25,21 @@ LargestArea largest(const PBox& simulated, const PBox& measured, std::size_t lim
   return largestAreaMetric({.simulated = simulated, .measured = measured}, limit);
 }
 
-/// Tries every rising choice of quantiles from a fine set of values, edges included: exponential, without dynamic
-/// programming, not restricted to edge values.
+/// Tries every rising choice of quantiles from a fine set of values, edges included, on levels cut in halves:
+/// exponential, without dynamic programming, not restricted to edge values, free to step within a level.
 struct Exhaustive {
   std::vector<CommonLevel<4>> levels;
   std::vector<double> values;
 
   Exhaustive(const PBox& simulated, const PBox& measured) {
     eachCommonLevel<4>({&simulated.left(), &simulated.right(), &measured.left(), &measured.right()},
-                       [&](const CommonLevel<4>& at) { levels.push_back(at); });
-    for (const auto& at : levels) {
-      const auto& [low, high, real_low, real_high] = at.quantiles;
-      values.insert(values.end(), {low, high, 0.5 * (low + high)});
-    }
+                       [&](const CommonLevel<4>& at) {
+                         const double middle = 0.5 * (at.below + at.level);
+                         levels.push_back({.below = at.below, .level = middle, .quantiles = at.quantiles});
+                         levels.push_back({.below = middle, .level = at.level, .quantiles = at.quantiles});
+                         const auto& [low, high, real_low, real_high] = at.quantiles;
+                         values.insert(values.end(), {low, high, 0.5 * (low + high)});
+                       });
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }

@@ -44,4 +44,15 @@ TEST(ModifiedAreaMetric, ContainsTheUnsafeIntervalAndZero) {
   }
 }
 
+// With a factor of 1 it is [-d_minus, d_plus]: what is left when each half width is divided by the factor.
+TEST(ModifiedAreaMetric, IsThePortionsTimesTheFactorAboutItsCentre) {
+  for (const double n : {1.0, 10.0, 100.0}) {
+    const ModifiedArea interval = modifiedAreaMetric({.d_plus = 0.3, .d_minus = 0.2}, n);
+    const double centre = 0.5 * (interval.lower + interval.upper);
+    const double unsafe = 0.5 * (interval.upper - interval.lower) / safetyFactor(n);
+    EXPECT_NEAR(centre - unsafe, -0.2, 1e-15);
+    EXPECT_NEAR(centre + unsafe, 0.3, 1e-15);
+  }
+}
+
 }  // namespace
