@@ -19,8 +19,9 @@ namespace metrics {
 /// simulated box covers the measured one. Unlike the AVM it keeps the triangle inequality for boxes, but it is not
 /// symmetric: a wide simulation covers what a wide measurement would not excuse.
 /// Both portions may be positive at once; the bias of AreaPortions then says which side lacks more.
-/// Source: White & West 2019, "Area Validation Metric for Applications with Mixed Uncertainty", DATAWorks (NASA). The
-/// formula is ours; it reproduces the 30 examples published with the Credibility Assessment Framework.
+/// Source: White & West 2019, "Area Validation Metric for Applications with Mixed Uncertainty", DATAWorks. The formula
+/// is our reading of it; it reproduces all 30 examples that the Credibility Assessment Framework publishes ("NASA
+/// AVM").
 [[nodiscard]] AreaPortions whiteWestPortions(const Comparison& boxes);
 
 }  // namespace metrics
