@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "metrics/area/area_metrics.h"
+#include "metrics/grids/grid_metrics.h"
 #include "metrics/points/point_metrics.h"
 #include "metrics/samples/kolmogorov_smirnov.h"
 #include "metrics/samples/moment_differences.h"
@@ -96,6 +97,8 @@ std::vector<MetricInfo> allMetricInfos() {
   std::vector<MetricInfo> infos;
   append<MetricInput>(metricCatalog(), infos);
   append<SeriesInput>(seriesMetrics(), infos);
+  append<GridInput>(gridMetrics(), infos);
+  append<RangeImageInput>(rangeImageMetrics(), infos);
   append<PointCloudInput>(pointMetrics(), infos);
   std::stable_sort(infos.begin(), infos.end(), [](const MetricInfo& a, const MetricInfo& b) {
     constexpr int kLast = 1000;

@@ -22,10 +22,13 @@ struct Kind {
 };
 
 /// The list: one line a kind of data.
-constexpr std::array<Kind, 3> kKinds{{
+constexpr std::array<Kind, 5> kKinds{{
     {metrics::DataKind::Values, "a column of each file, in any order; several SIM files make a p-box", compareValues},
     {metrics::DataKind::Series, "a column of each file, row by row in step", compareSeries},
     {metrics::DataKind::PointCloud, "columns x_m y_m z_m, or range_m azimuth_rad elevation_rad", comparePointClouds},
+    {metrics::DataKind::RangeImage, "a measurement with layer azimuth_rad range_m, or a bare matrix of ranges in m",
+     compareRangeImages},
+    {metrics::DataKind::OccupancyGrid, "a bare matrix of occupancy probabilities", compareOccupancyGrids},
 }};
 
 const Kind& kindOf(const std::string& data) {
@@ -51,6 +54,10 @@ void runMetric(const MetricRequest& request, const Session& session) {
     throw core::InputError({.item = request.real.empty() ? "REAL" : "SIM"}, "is required.",
                            "Give a measured file and one simulated or more; fidelis metric --help shows examples.");
   }
+  if (request.asksForChance() && request.data != "values") {
+    throw core::InputError({.item = "--intervals, --floor, --half-width"}, "are for --data values only.",
+                           "Compare a column of values, or leave them out.");
+  }
   const std::vector<MeasurandResult> measurands = kindOf(request.data).compare(request, session);
   if (request.json.empty()) {
     writeMetricTable(measurands, session.out);
@@ -75,7 +82,7 @@ std::string footer() {
          "  fidelis metric real.csv sim.csv --column range_m\n"
          "  fidelis metric real.csv.gz corner-*.csv --column range_m --column epw_m --json result.json\n"
          "  fidelis metric real.csv sim.csv --column Distance --unit m --metric d_bias,d_cavm --json -\n"
-         "  fidelis metric real.csv sim.csv --column range_m --intervals 1000 --unit-of-chance frame --floor\n"
+         "  fidelis metric real.csv sim.csv --column range_m --intervals 1000 --chance-unit frame --floor\n"
          "  fidelis metric real.csv sim.csv --data point-cloud --metric hausdorff\n"
          "  fidelis metric truth.csv objects.csv --data object-list --set cut_off_m=2";
 }
@@ -116,6 +123,31 @@ void addChoices(CLI::App& command, MetricRequest& request) {
   command.add_flag("--list", request.list,
                    "List every metric with number in the literature, formula, range and source");
   command.add_option("--json", request.json, "Write the results as JSON to this file (-: standard output)");
+}
+
+void addChanceOptions(CLI::App& command, MetricRequest& request) {
+  command
+      .add_option("--intervals", request.intervals,
+                  "Bootstrap intervals of the metrics of values, with this many replicates (1000 is usual)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--chance-unit", request.chance_unit,
+                     "Column with the frame or set-up of each value: whole units are drawn. Without it values are, "
+                     "which gives far too narrow intervals where detections share errors");
+  command.add_option("--block", request.block, "Neighbouring units drawn together, where they depend on each other")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_flag("--paired", request.paired, "The same units were measured and simulated: draw them together");
+  command.add_flag("--bca", request.bca, "Bias-corrected and accelerated intervals in place of percentiles");
+  command.add_option("--confidence", request.confidence, "Of the intervals")
+      ->check(CLI::Range(0.5, 0.9999))
+      ->capture_default_str();
+  command.add_flag("--floor", request.floor,
+                   "What d_avm, d_cavm and the p-box's width are by chance alone at these numbers of values, and the "
+                   "p-values against it. No model can keep a threshold below the floor");
+  command
+      .add_option("--half-width", request.half_widths,
+                  "METRIC=WIDTH: how many times the data are needed for an interval of +-WIDTH; may be repeated")
+      ->allow_extra_args(false);
 }
 
 }  // namespace
@@ -187,8 +219,12 @@ void addMetricCommand(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("metric", "Compare measured and simulated data: how far apart are they?");
   addFiles(*command, *request);
   addChoices(*command, *request);
+  addChanceOptions(*command, *request);
   command->footer(footer());
-  command->callback([request, &session] { runMetric(*request, session); });
+  command->callback([request, &session] {
+    request->seed = session.seed.value_or(request->seed);
+    runMetric(*request, session);
+  });
 }
 
 }  // namespace app

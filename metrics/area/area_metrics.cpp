@@ -1,8 +1,11 @@
 #include "metrics/area/area_metrics.h"
 
+#include "metrics/area/area_range.h"
 #include "metrics/area/double_metric.h"
 #include "metrics/area/largest_area_metric.h"
 #include "metrics/area/modified_area_metric.h"
+#include "metrics/area/signed_scatter.h"
+#include "metrics/area/white_west_metric.h"
 
 namespace metrics {
 
@@ -60,6 +63,16 @@ Numbers mavm(const Input& input) {
   return {interval.lower, interval.upper};
 }
 
+Numbers range(const Input& input) {
+  const AreaRange range = areaRange(input.boxes);
+  return {range.smallest, range.largest};
+}
+
+Metric onRequest(Metric metric) {
+  metric.info.on_request = true;
+  return metric;
+}
+
 std::vector<Metric> makeList() {
   return {
       number(numbered(32, info("d_avm", "Area validation metric (AVM)",
@@ -102,6 +115,20 @@ std::vector<Metric> makeList() {
       number(info("d_avm_max_error", "Error of the largest AVM", "half width of what is known of it; 0: exact", "-",
                   "inf", "this project; see metrics/area/largest_area_metric.h"),
              [](const Input& in) { return largestAreaMetric(in.boxes).error; }),
+      onRequest(list(info("d_avm_range", "Range of the AVM",
+                          "smallest and largest area over all pairs of distributions in both p-boxes",
+                          "[min, max] over F, G in the boxes of d_avm(F, G)", "[inf, inf]",
+                          "this project; see metrics/area/area_range.h"),
+                     {"smallest", "largest"}, range)),
+      number(info("signed_scatter", "Signed scatter error",
+                  "> 0: simulated scatter too wide; near 0 beside a large d_cavm: another shape, not another width",
+                  "int sign(p - 1/2) (q_y(p) - d_bias - q_x(p)) dp", kBothWays,
+                  "this project; see metrics/area/signed_scatter.h"),
+             [](const Input& in) { return signedScatterAfterShift(in.boxes, in.one_shift.bias); }),
+      number(info("d_avm_white_west", "AVM for mixed uncertainty",
+                  "what the simulated p-box fails to cover of the measured one",
+                  "int max(0, L_y - L_x) + max(0, R_x - R_y) dp", "inf", "White & West 2019, DATAWorks; our reading"),
+             [](const Input& in) { return whiteWestPortions(in.boxes).area(); }),
       number(info("pbox_area", "Area of the p-box", "mean width of the simulated p-box", "int R_y(p) - L_y(p) dp",
                   "inf", "Ferson et al. 2003, SAND2002-4015"),
              [](const Input& in) { return in.boxes.simulated.area(); }),

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -179,6 +180,77 @@ TEST_F(MetricCommand, PointCloudsMayBeWrittenAsPointsOrAsDetections) {
   const ProgramRun neither = runFidelis({"metric", real(), points, "--data", "point-cloud"});
   EXPECT_EQ(neither.status, 2);
   EXPECT_THAT(neither.messages, HasSubstr("real.csv:1: has neither x_m, y_m, z_m nor range_m"));
+}
+
+// Two layers of two beams; the nearest echo of a beam counts, a beam without a line has none.
+TEST_F(MetricCommand, RangeImagesAreReadFromMeasurementsOrFromAMatrix) {
+  const std::string header = "frame,layer,azimuth_rad,echo,range_m\n";
+  const std::string measured =
+      file("image.csv", header + "0,0,0.1,1,5\n0,0,0.1,2,9\n0,0,0,1,6\n0,1,0,1,7\n1,1,0.1,1,8\n");
+  const std::string matrix = file("matrix.csv", "5.5,6.5\n,7.5\n");
+  const std::string same = file("same.csv", "5,6\nnan,7\n");
+  const json from_matrix = measurandOf(runFidelis({"metric", same, matrix, "--data", "range-image", "--json", "-"}));
+  EXPECT_DOUBLE_EQ(from_matrix.at("mean_signed_error").get<double>(), 0.5);
+  EXPECT_EQ(from_matrix.at("missing_pixels"), 0.0);
+  const std::string simulated = file("simulated.csv", header + "0,0,0.1,1,5.5\n0,0,0,1,6.5\n0,1,0.1,1,8\n");
+  const json image = measurandOf(runFidelis({"metric", measured, simulated, "--data", "range-image", "--json", "-"}));
+  EXPECT_EQ(image.at("n_real"), 3);
+  EXPECT_DOUBLE_EQ(image.at("mean_signed_error").get<double>(), 0.5);
+  EXPECT_DOUBLE_EQ(image.at("missing_pixels").get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(image.at("extra_pixels").get<double>(), 0.25);
+}
+
+TEST_F(MetricCommand, OccupancyGridsAreMatricesOfProbabilities) {
+  const std::string measured = file("grid.csv", "0.9,0.1\n0.9,0.1\n");
+  const std::string simulated = file("grid_sim.csv", "0.9,0.9\n0.9,0.1\n");
+  const json grid = measurandOf(runFidelis({"metric", measured, simulated, "--data", "occupancy-grid", "--json", "-"}));
+  EXPECT_NEAR(grid.at("jaccard").get<double>(), 1.0 - 2.0 / 3.0, 1e-12);
+  const ProgramRun empty_cell =
+      runFidelis({"metric", measured, file("hole.csv", "0.9,\n0.9,0.1\n"), "--data", "occupancy-grid"});
+  EXPECT_EQ(empty_cell.status, 2);
+  EXPECT_THAT(empty_cell.messages, HasSubstr("hole.csv, row 1, column 2: is empty"));
+  const ProgramRun ragged =
+      runFidelis({"metric", measured, file("ragged2.csv", "0.9,0.1\n0.9\n"), "--data", "occupancy-grid"});
+  EXPECT_THAT(ragged.messages, HasSubstr("ragged2.csv:2: has 1 cells; the first row has 2"));
+}
+
+// Two frames whose detections are equal: drawn by detection the mean seems known, drawn by frame it is not.
+TEST_F(MetricCommand, IntervalsAreDrawnByTheUnitOfChance) {
+  std::string rows = "frame,range_m\n";
+  for (int i = 0; i < 200; ++i) rows += std::to_string(i % 4) + "," + std::to_string(i % 4) + "\n";
+  const std::string both = file("frames.csv", rows);
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"metric", both,          both,  "--column", "range_m", "--metric",
+                                   "d_bias", "--intervals", "200", "--json",   "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return runFidelis(words);
+  };
+  const auto width = [](const ProgramRun& done) {
+    const json interval = measurandOf(done).at("intervals").at("d_bias");
+    return interval.at("high").get<double>() - interval.at("low").get<double>();
+  };
+  // Standard error of a difference of means: sqrt(2) 1.118 / sqrt(n), n = 200 detections or 4 frames.
+  EXPECT_NEAR(width(run({})), 2 * 1.96 * std::sqrt(2.0) * 1.118 / std::sqrt(200.0), 0.12);
+  EXPECT_GT(width(run({"--chance-unit", "frame"})), 2.0);
+  EXPECT_EQ(run({"--threads", "1"}).out, run({"--threads", "2"}).out);
+  EXPECT_NE(run({"--seed", "2"}).out, run({"--seed", "3"}).out);
+  const ProgramRun no_unit = run({"--chance-unit", "frme"});
+  EXPECT_EQ(no_unit.status, 2);
+  EXPECT_THAT(no_unit.messages, HasSubstr("Did you mean 'frame'?"));
+}
+
+// Dealing equal samples out anew, d_avm is never below that of the samples themselves, which is 0: p = 1.
+TEST_F(MetricCommand, TheFloorSaysWhatChanceAloneGives) {
+  const std::string both = file("line.csv", "v\n1\n2\n3\n4\n5\n6\n7\n8\n");
+  const json v = measurandOf(runFidelis({"metric", both, both, "--column", "v", "--floor", "--json", "-"}));
+  EXPECT_EQ(v.at("floor").at("d_avm").at("p_value"), 1.0);
+  EXPECT_GT(v.at("floor").at("d_avm").at("median").get<double>(), 0.0);
+  EXPECT_GE(v.at("floor").at("d_avm").at("quantile_95"), v.at("floor").at("d_avm").at("median"));
+  const ProgramRun table = runFidelis({"metric", both, both, "--column", "v", "--floor", "--half-width", "d_bias=0.1"});
+  EXPECT_THAT(table.out, HasSubstr("floor of d_cavm by chance alone"));
+  EXPECT_THAT(table.out, HasSubstr("d_bias to +-0.1:"));
+  EXPECT_EQ(runFidelis({"metric", both, both, "--column", "v", "--half-width", "d_bias"}).status, 2);
+  EXPECT_EQ(runFidelis({"metric", both, both, "--column", "v", "--data", "series", "--floor"}).status, 2);
 }
 
 TEST_F(MetricCommand, AMetricOfAnotherKindOfDataIsToldWhichKind) {

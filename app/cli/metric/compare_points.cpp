@@ -47,7 +47,7 @@ Cloud readCloud(const std::string& file, double frame) {
 
 }  // namespace
 
-std::vector<MeasurandResult> comparePointClouds(const MetricRequest& request, const Session& session) {
+std::vector<MeasurandResult> comparePointClouds(const MetricRequest& request, const Session&) {
   mustHaveNoColumns(request);
   mustHaveOneSimulation(request);
   const MetricSettings settings(request, {{"frame", -1.0}, {"wasserstein_order", 1.0}, {"sliced_lines", 128.0}});
@@ -58,7 +58,7 @@ std::vector<MeasurandResult> comparePointClouds(const MetricRequest& request, co
   const metrics::PointCloudInput input{
       .clouds = {.simulated = simulated, .measured = real},
       .options = {.wasserstein_order = settings["wasserstein_order"],
-                  .slices = {.lines = settings.count("sliced_lines"), .seed = session.seed.value_or(1)}}};
+                  .slices = {.lines = settings.count("sliced_lines"), .seed = request.seed}}};
   evaluate(choice, input, request, measurand);
   return {std::move(measurand)};
 }

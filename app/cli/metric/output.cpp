@@ -38,10 +38,60 @@ ordered_json jsonOf(const MetricResult& result) {
   return object;
 }
 
+ordered_json jsonOf(const metrics::ConfidenceInterval& interval) {
+  return {{"low", interval.low},
+          {"high", interval.high},
+          {"standard_error", interval.standard_error},
+          {"bias", interval.bias}};
+}
+
+ordered_json intervalsOf(const MeasurandResult& measurand) {
+  ordered_json intervals = ordered_json::object();
+  for (const MetricResult& result : measurand.results) {
+    const std::string name(result.info.name);
+    for (std::size_t i = 0; i < result.intervals.size(); ++i) {
+      if (result.parts.empty()) {
+        intervals[name] = jsonOf(result.intervals[i]);
+      } else {
+        intervals[name][std::string(result.parts[i])] = jsonOf(result.intervals[i]);
+      }
+    }
+  }
+  return intervals;
+}
+
+/// What chance does to the results, as far as it was asked for.
+void addChanceTo(ordered_json& entry, const MeasurandResult& measurand) {
+  const ordered_json intervals = intervalsOf(measurand);
+  if (!intervals.empty()) entry["intervals"] = intervals;
+  for (const FloorResult& floor : measurand.floors) {
+    ordered_json& line = entry["floor"][std::string(floor.name)];
+    line = {{"median", floor.median}, {"quantile_95", floor.high}, {"p_value", nullptr}};
+    if (floor.p_value) line["p_value"] = *floor.p_value;
+  }
+  for (const RepetitionResult& needed : measurand.repetitions) {
+    entry["repetitions"][std::string(needed.name)] = {{"half_width", needed.half_width},
+                                                      {"factor", needed.factor},
+                                                      {"interval", {needed.low, needed.high}},
+                                                      {"measured_share", needed.measured_share}};
+  }
+}
+
+ordered_json chanceOptionsOf(const MetricRequest& request) {
+  return {{"intervals", request.intervals},
+          {"unit", request.chance_unit},
+          {"block", request.block},
+          {"paired", request.paired},
+          {"bca", request.bca},
+          {"confidence", request.confidence},
+          {"seed", request.seed}};
+}
+
 ordered_json optionsOf(const MetricRequest& request) {
   ordered_json options{{"data", request.data}, {"shift", request.shift}, {"experiments", nullptr}};
   if (request.experiments) options["experiments"] = *request.experiments;
   if (!request.settings.empty()) options["set"] = request.settings;
+  if (request.asksForChance()) options["chance"] = chanceOptionsOf(request);
   return options;
 }
 
@@ -52,6 +102,42 @@ std::string valueForReader(const std::vector<double>& numbers) {
   std::vector<std::string> parts;
   for (const double value : numbers) parts.push_back(numberForReader(value));
   return "[" + core::join(parts) + "]";
+}
+
+/// "[1, 2]", one for each number of the metric.
+std::string intervalText(const MetricResult& result) {
+  std::string text;
+  for (const metrics::ConfidenceInterval& interval : result.intervals) {
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : " ", core::significant(interval.low, 4),
+                        core::significant(interval.high, 4));
+  }
+  return text;
+}
+
+/// Heading of the column of intervals; "" if there are none.
+std::string intervalTitle(const MeasurandResult& measurand) {
+  for (const MetricResult& result : measurand.results) {
+    if (!result.intervals.empty()) return fmt::format("{:g} % interval", 100.0 * result.intervals.front().confidence);
+  }
+  return "";
+}
+
+/// Floors and repetitions, below the metrics.
+void writeChance(const MeasurandResult& measurand, std::ostream& out) {
+  for (const FloorResult& floor : measurand.floors) {
+    out << fmt::format("  floor of {} by chance alone: {} (median), {} (95 %){}\n", floor.name,
+                       numberForReader(floor.median), numberForReader(floor.high),
+                       floor.p_value ? fmt::format("; p = {}", core::significant(*floor.p_value, 2)) : "");
+  }
+  for (const RepetitionResult& needed : measurand.repetitions) {
+    out << fmt::format("  {} to +-{}: {} times these data [{}, {}]", needed.name, needed.half_width,
+                       core::significant(needed.factor, 2), core::significant(needed.low, 2),
+                       core::significant(needed.high, 2));
+    if (!std::isnan(needed.measured_share)) {
+      out << fmt::format("; {:.0f} % of the variance is the measurement's", 100.0 * needed.measured_share);
+    }
+    out << "\n";
+  }
 }
 
 /// One line a reason.
@@ -100,6 +186,7 @@ ordered_json metricDocument(std::span<const MeasurandResult> measurands, const M
     entry["n_sim"] = measurand.n_sim;
     entry["scale"] = metrics::toString(measurand.scale);
     for (const MetricResult& result : measurand.results) entry[std::string(result.info.name)] = jsonOf(result);
+    addChanceTo(entry, measurand);
     for (const LeftOut& metric : measurand.left_out) entry["left_out"][std::string(metric.name)] = metric.reason;
     document["measurands"].push_back(std::move(entry));
   }
@@ -114,12 +201,21 @@ void writeMetricTable(std::span<const MeasurandResult> measurands, std::ostream&
                        core::join(sizes, " + "), sizes.size() > 1 ? " (p-box)" : "");
     std::size_t width = 18;
     for (const MetricResult& result : measurand.results) width = std::max(width, result.info.name.size());
-    out << fmt::format("  {:<{}} {:>24}  {:<5} {}\n", "metric", width, "value", "unit", "meaning");
+    const std::string title = intervalTitle(measurand);
+    const std::size_t interval_width = title.empty() ? 0 : 26;
+    out << fmt::format("  {:<{}} {:>24}  {:<{}}{:<5} {}\n", "metric", width, "value", title, interval_width, "unit",
+                       "meaning");
     for (const MetricResult& result : measurand.results) {
       const std::string unit = unitText(result.info.unit, measurand.unit);
-      out << fmt::format("  {:<{}} {:>24}  {:<5} {}\n", result.info.name, width, valueForReader(result.numbers),
+      const bool many = result.numbers.size() > 2;  // then a line each, below
+      out << fmt::format("  {:<{}} {:>24}  {:<{}}{:<5} {}\n", result.info.name, width,
+                         many ? "" : valueForReader(result.numbers), many ? "" : intervalText(result), interval_width,
                          unit.empty() ? "-" : unit, result.info.meaning);
+      for (std::size_t i = 0; many && i < result.numbers.size(); ++i) {
+        out << fmt::format("    {:<{}} {:>24}\n", result.parts[i], width - 2, numberForReader(result.numbers[i]));
+      }
     }
+    writeChance(measurand, out);
     out << leftOutText(measurand);
   }
 }

@@ -37,7 +37,29 @@ std::string unitOfName(const std::string& column) {
   return "";
 }
 
+/// "NAME=2.5" of an option that takes such. Throws InputError for what is no number.
+std::pair<std::string, double> assignmentOf(const std::string& option, const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string name = text.substr(0, equals);
+  const std::string number = equals < text.size() ? text.substr(equals + 1) : "";
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc() && end == number.data() + number.size() && std::isfinite(value)) return {name, value};
+  throw core::InputError({.item = option + " " + text}, "gives no number.",
+                         "Write it as " + option + " " + name + "=2.5.");
+}
+
 }  // namespace
+
+metrics::MetricOptions MetricRequest::metricOptions() const {
+  return {.shift = shift == "balanced" ? metrics::Shift::Balanced : metrics::Shift::One, .experiments = experiments};
+}
+
+std::vector<std::pair<std::string, double>> MetricRequest::wantedHalfWidths() const {
+  std::vector<std::pair<std::string, double>> wanted;
+  for (const std::string& text : half_widths) wanted.push_back(assignmentOf("--half-width", text));
+  return wanted;
+}
 
 std::string MetricRequest::unitOfColumn(std::size_t index) const {
   if (units.empty()) return unitOfName(columns[index]);
@@ -61,8 +83,7 @@ MetricSettings::MetricSettings(const MetricRequest& request, std::map<std::strin
   std::vector<std::string> names;
   for (const auto& [name, value] : values_) names.push_back(name);
   for (const std::string& text : request.settings) {
-    const std::size_t equals = std::min(text.find('='), text.size());
-    const std::string name = text.substr(0, equals);
+    const auto [name, value] = assignmentOf("--set", text);
     if (!values_.contains(name)) {
       const std::string nearest = core::nearestName(name, names);
       throw core::InputError({.item = "--set " + text}, "is no setting for " + request.data + ".",
@@ -70,11 +91,7 @@ MetricSettings::MetricSettings(const MetricRequest& request, std::map<std::strin
                              : names.empty()  ? "This kind of data has no settings."
                                               : "Its settings are " + core::join(names) + ".");
     }
-    const std::string number = equals < text.size() ? text.substr(equals + 1) : "";
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), values_[name]);
-    if (error != std::errc() || end != number.data() + number.size()) {
-      throw core::InputError({.item = "--set " + text}, "gives no number.", "Write it as --set " + name + "=2.5.");
-    }
+    values_[name] = value;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,11 +24,24 @@ struct MetricRequest {
   std::vector<std::string> settings;  ///< "cut_off=2"
   std::string shift = "one";
   std::optional<double> experiments;
+  std::size_t intervals = 0;  ///< bootstrap replicates; 0: no intervals
+  std::string chance_unit;    ///< column of the unit on which chance acts: frame, set-up; "": each value
+  std::size_t block = 1;      ///< neighbouring units drawn together
+  bool paired = false;        ///< the same units were measured and simulated
+  bool bca = false;
+  double confidence = 0.95;
+  bool floor = false;
+  std::vector<std::string> half_widths;  ///< "d_bias=0.005"
+  std::uint64_t seed = 1;                ///< of what is drawn
   bool list = false;
   std::string json;
 
   [[nodiscard]] std::string unitOfColumn(std::size_t index) const;
   [[nodiscard]] metrics::Scale scaleOfColumn(const std::string& column) const;
+  [[nodiscard]] metrics::MetricOptions metricOptions() const;
+  /// Something is to be drawn anew: intervals, floors, repetitions.
+  [[nodiscard]] bool asksForChance() const { return intervals > 0 || floor || !half_widths.empty(); }
+  [[nodiscard]] std::vector<std::pair<std::string, double>> wantedHalfWidths() const;
 };
 
 /// Settings of the metrics of one kind of data, by name with their defaults. Throws InputError for a setting that is

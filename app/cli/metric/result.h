@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "metrics/metric_catalog.h"
+#include "metrics/resampling/intervals.h"
 
 namespace app {
 
@@ -18,6 +19,25 @@ struct MetricResult {
   metrics::MetricShape shape = metrics::MetricShape::Number;
   std::vector<std::string_view> parts;
   std::vector<double> numbers;
+  std::vector<metrics::ConfidenceInterval> intervals;  ///< parallel to the numbers; empty without a bootstrap
+};
+
+/// What a metric is by chance alone, at these numbers of values.
+struct FloorResult {
+  std::string_view name;
+  double median;
+  double high;  ///< 95 % of chance stays below
+  std::optional<double> p_value;
+};
+
+/// How many times the data are needed for an interval of a wanted half width.
+struct RepetitionResult {
+  std::string_view name;
+  double half_width;
+  double factor;
+  double low;
+  double high;
+  double measured_share;  ///< of the variance, that repeating the measurement can lower; NaN if paired
 };
 
 /// A metric that these data do not allow, and why.
@@ -35,6 +55,8 @@ struct MeasurandResult {
   metrics::Scale scale = metrics::Scale::Ratio;
   std::vector<MetricResult> results;
   std::vector<LeftOut> left_out;
+  std::vector<FloorResult> floors;
+  std::vector<RepetitionResult> repetitions;
 };
 
 template <typename Input>
