@@ -86,6 +86,14 @@ TEST(CrossCorrelation, MayOnlyGrowWithTheLagsThatAreSearched) {
   }
 }
 
+// Both series read the same backwards, so r(k) = r(-k); all numbers are whole, so exactly.
+TEST(CrossCorrelation, PrefersTheLaterOfTwoEqualLags) {
+  const std::vector<double> measured = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 0.0};
+  const std::vector<double> simulated = {0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0};
+  EXPECT_EQ(crossCorrelation({.simulated = simulated, .measured = measured}, 4).lag, 2.0);
+  EXPECT_EQ(crossCorrelation({.simulated = measured, .measured = simulated}, 4).lag, 2.0);
+}
+
 TEST(CrossCorrelation, IsBlindToOffsetAndGain) {
   const std::vector<double> measured = pulse(40, 20);
   std::vector<double> simulated = pulse(40, 23);
