@@ -39,11 +39,10 @@ double dynamicTimeWarping(const SeriesPair& series, std::optional<std::size_t> w
   for (std::size_t i = 1; i <= rows.size(); ++i) {
     const std::size_t first = i > band ? i - band : 1;
     const std::size_t last = std::min(columns.size(), i + band);
-    now[first - 1] = kUnreachable;  // the rows are reused: fence the band on both sides
+    now[first - 1] = kUnreachable;  // left of the band stands an older row; right of it nothing was written yet
     for (std::size_t j = first; j <= last; ++j) {
       now[j] = std::abs(rows[i - 1] - columns[j - 1]) + std::min({before[j], before[j - 1], now[j - 1]});
     }
-    if (last < columns.size()) now[last + 1] = kUnreachable;
     std::swap(before, now);
   }
   return before.back();

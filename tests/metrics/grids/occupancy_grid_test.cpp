@@ -38,6 +38,7 @@ TEST(OccupancyGrid, WhatDoesNotCompareIsRefusedAndSaysWhere) {
             0u);
   EXPECT_NE(message(grid(2, 2, {0.1, std::nan(""), 0.3, 0.4})).find("row 1, column 2"), std::string::npos);
   EXPECT_NE(message(grid(2, 2, {0.1, 0.2, 0.3})).find("has 3 numbers for 2 x 2 cells"), std::string::npos);
+  EXPECT_NE(message(grid(2, 2, {0.1, 0.2, 0.3, 0.4, 0.5})).find("has 5 numbers for 2 x 2 cells"), std::string::npos);
   EXPECT_NE(message(grid(1, 4, {0.1, 0.2, 0.3, 0.4})).find("have 2 x 2 and 1 x 4 cells"), std::string::npos);
   EXPECT_NE(message(grid(0, 4, {})).find("has 0 x 4 cells"), std::string::npos);
 }

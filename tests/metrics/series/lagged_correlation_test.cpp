@@ -94,6 +94,14 @@ TEST(CrossCorrelation, PrefersTheLaterOfTwoEqualLags) {
   EXPECT_EQ(crossCorrelation({.simulated = measured, .measured = simulated}, 4).lag, 2.0);
 }
 
+// r(1) = r(2) = 34 over the norms, in whole numbers.
+TEST(CrossCorrelation, PrefersTheNearerOfTwoEqualLags) {
+  const std::vector<double> measured = {0.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 0.0};
+  const std::vector<double> simulated = {0.0, 2.0, 0.0, 1.0, 1.0, 6.0, 6.0, 1.0, 1.0};
+  EXPECT_EQ(crossCorrelation({.simulated = simulated, .measured = measured}, 8).lag, 1.0);
+  EXPECT_EQ(crossCorrelation({.simulated = measured, .measured = simulated}, 8).lag, -1.0);
+}
+
 TEST(CrossCorrelation, IsBlindToOffsetAndGain) {
   const std::vector<double> measured = pulse(40, 20);
   std::vector<double> simulated = pulse(40, 23);

@@ -104,6 +104,8 @@ TEST(SeriesMetrics, WithLagsRefuseUnevenTimes) {
   const std::vector<double> even = {0.0, 0.1, 0.21, 0.29, 0.4, 0.5};
   const std::vector<double> gap = {0.0, 0.1, 0.2, 0.4, 0.5, 0.6};
   const std::vector<double> too_few = {0.0, 0.1};
+  const std::vector<double> stopped(6, 3.0);
+  const std::vector<double> backwards = {0.5, 0.4, 0.3, 0.2, 0.1, 0.0};
   for (const std::string_view name : {"cross_correlation", "autocorrelation_difference"}) {
     const auto message = [&](const std::vector<double>& times) {
       return thrownMessage(
@@ -111,6 +113,8 @@ TEST(SeriesMetrics, WithLagsRefuseUnevenTimes) {
     };
     EXPECT_EQ(message(even), "");
     EXPECT_NE(message(gap).find("times, value 4: comes 0.2 s after the one before"), std::string::npos);
+    EXPECT_NE(message(stopped).find("times, value 2"), std::string::npos);
+    EXPECT_NE(message(backwards).find("times, value 2"), std::string::npos);
     EXPECT_NE(message(too_few).find("are 2 for 6 values"), std::string::npos);
   }
 }
