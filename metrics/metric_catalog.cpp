@@ -9,9 +9,7 @@
 #include "metrics/area/area_metrics.h"
 #include "metrics/grids/grid_metrics.h"
 #include "metrics/points/point_metrics.h"
-#include "metrics/samples/kolmogorov_smirnov.h"
-#include "metrics/samples/moment_differences.h"
-#include "metrics/samples/wasserstein.h"
+#include "metrics/samples/samples_metrics.h"
 #include "metrics/series/series_metrics.h"
 
 namespace metrics {
@@ -28,39 +26,6 @@ Metric ofPooledRuns(const MetricOf<SamplePair>& metric) {
           .shape = metric.shape,
           .parts = metric.parts,
           .compute = [compute = metric.compute](const MetricInput& input) { return compute(input.samples); }};
-}
-
-std::vector<MetricOf<SamplePair>> samplesMetrics() {
-  using Numbers = std::vector<double>;
-  const auto info = [](std::string_view name, std::string_view meaning, MetricUnit unit, int number = 0,
-                       Scale scale = Scale::Interval) {
-    return MetricInfo{.number = number,
-                      .name = name,
-                      .title = name,
-                      .meaning = meaning,
-                      .unit = unit,
-                      .scale = scale,
-                      .data = {DataKind::Values}};
-  };
-  return {
-      {.info =
-           info("ks", "Kolmogorov-Smirnov test, pooled; p too large with ties", MetricUnit::None, 0, Scale::Ordinal),
-       .shape = MetricShape::Object,
-       .parts = {"statistic", "p_value"},
-       .compute =
-           [](const SamplePair& samples) {
-             const KolmogorovSmirnov test = kolmogorovSmirnovTest(samples);
-             return Numbers{test.statistic, test.p_value};
-           }},
-      {.info = info("wasserstein_1", "1-Wasserstein distance, pooled", MetricUnit::Measurand, 9),
-       .compute = [](const SamplePair& samples) { return Numbers{wassersteinDistance(samples)}; }},
-      {.info = info("mean_difference", "simulated - measured mean, pooled", MetricUnit::Measurand),
-       .compute = [](const SamplePair& samples) { return Numbers{meanDifference(samples)}; }},
-      {.info = info("median_difference", "simulated - measured median, pooled", MetricUnit::Measurand),
-       .compute = [](const SamplePair& samples) { return Numbers{medianDifference(samples)}; }},
-      {.info = info("std_difference", "simulated - measured standard deviation (n - 1), pooled", MetricUnit::Measurand),
-       .compute = [](const SamplePair& samples) { return Numbers{standardDeviationDifference(samples)}; }},
-  };
 }
 
 std::vector<Metric> makeCatalog() {
