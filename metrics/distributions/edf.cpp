@@ -1,7 +1,7 @@
 #include "metrics/distributions/edf.h"
 
 #include <algorithm>
-#include <boost/sort/spreadsort/float_sort.hpp>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "metrics/distributions/sorting.h"
 #include "metrics/distributions/summation.h"
 
 namespace metrics {
@@ -33,23 +34,57 @@ void mustMatch(std::size_t values, std::size_t others, const char* what) {
   throw core::InputError({}, "has no values; a distribution needs at least one.", "Check the gate or the file.");
 }
 
+bool ascendAndDiffer(std::span<const double> values) {
+  const auto falls = [](double a, double b) { return !(a < b); };  // also if one is not a number
+  return std::adjacent_find(values.begin(), values.end(), falls) == values.end();
+}
+
+/// Where a zero may be: at one place if the values ascend and differ.
+std::span<double> zerosOf(std::vector<double>& values, bool ascend_and_differ) {
+  if (!ascend_and_differ) return values;
+  const auto [first, last] = std::equal_range(values.begin(), values.end(), 0.0);
+  return {first, last};
+}
+
+/// Leaves one of each value. Returns the levels that the last of its kind reaches.
+std::vector<double> mergeTies(std::vector<double>& ascending) {
+  const auto n = static_cast<double>(ascending.size());
+  std::vector<double> levels;
+  std::size_t steps = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    if (i + 1 < ascending.size() && ascending[i] == ascending[i + 1]) continue;
+    ascending[steps++] = ascending[i];
+    levels.push_back(static_cast<double>(i + 1) / n);
+  }
+  ascending.resize(steps);
+  return levels;
+}
+
 }  // namespace
 
-Edf::Edf(std::vector<double> values) : values_(std::move(values)), n_(values_.size()) {
-  if (values_.empty()) throwEmpty();
-  mustBeFinite(values_, "value");
-  for (double& x : values_) x += 0.0;  // -0 and 0 are one value
-  boost::sort::spreadsort::float_sort(values_.begin(), values_.end());
-  effective_n_ = static_cast<double>(n_);
-  levels_.resize(n_);
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < n_; ++i) {
-    if (i > 0 && values_[i] != values_[last]) ++last;
-    values_[last] = values_[i];
-    levels_[last] = static_cast<double>(i + 1) / effective_n_;  // a tie: the last of the equal values counts
+Edf::Edf(std::vector<double> values, std::vector<double> levels, std::size_t n, double effective_n)
+    : steps_(std::make_shared<const Steps>(std::move(values), std::move(levels))), n_(n), effective_n_(effective_n) {}
+
+Edf::Edf(std::vector<double> values) : n_(values.size()), effective_n_(static_cast<double>(n_)) {
+  if (values.empty()) throwEmpty();
+  bool distinct = ascendAndDiffer(values);
+  if (!distinct || !std::isfinite(values.front()) || !std::isfinite(values.back())) mustBeFinite(values, "value");
+  for (double& x : zerosOf(values, distinct)) x += 0.0;  // -0 and 0 are one value
+  if (!distinct) {
+    sortAscending(values);
+    distinct = ascendAndDiffer(values);
   }
-  values_.resize(last + 1);
-  levels_.resize(last + 1);
+  std::vector<double> levels = distinct ? std::vector<double>{} : mergeTies(values);
+  steps_ = std::make_shared<const Steps>(std::move(values), std::move(levels));
+}
+
+std::span<const double> Edf::equalLevels() const {
+  std::call_once(steps_->asked, [this] {
+    std::vector<double> levels(steps_->values.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = level(i);
+    steps_->levels = std::move(levels);
+  });
+  return steps_->levels;
 }
 
 Edf Edf::weighted(std::span<const double> values, std::span<const double> weights) {
@@ -79,32 +114,27 @@ Edf Edf::weighted(std::span<const double> values, std::span<const double> weight
     sum.add(weights[i]);
     builder.step(values[i] + 0.0, i == order.back() ? 1.0 : std::min(1.0, sum.value() / total.value()));
   }
-  Edf edf = std::move(builder).build();
-  edf.n_ = order.size();
-  edf.effective_n_ = total.value() * total.value() / squares.value();
-  return edf;
+  return std::move(builder).build(order.size(), total.value() * total.value() / squares.value());
 }
 
 Edf Edf::repeated(std::span<const double> ascending, std::span<const std::uint32_t> counts) {
   mustMatch(ascending.size(), counts.size(), "counts");
   const auto n = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   if (n == 0) throwEmpty();
-  Edf edf;
-  edf.n_ = n;
-  edf.effective_n_ = static_cast<double>(n);
-  edf.values_.resize(ascending.size() + 1);
-  edf.levels_.resize(ascending.size() + 1);
+  const auto whole = static_cast<double>(n);
+  std::vector<double> values(ascending.size() + 1);
+  std::vector<double> levels(ascending.size() + 1);
   std::size_t steps = 0;
   std::size_t reached = 0;
   for (std::size_t i = 0; i < ascending.size(); ++i) {  // without a branch: a count of 0 is overwritten by the next
     reached += counts[i];
-    edf.values_[steps] = ascending[i];
-    edf.levels_[steps] = static_cast<double>(reached) / edf.effective_n_;
+    values[steps] = ascending[i];
+    levels[steps] = static_cast<double>(reached) / whole;
     steps += counts[i] > 0 ? 1 : 0;
   }
-  edf.values_.resize(steps);
-  edf.levels_.resize(steps);
-  return edf;
+  values.resize(steps);
+  levels.resize(steps);
+  return {std::move(values), std::move(levels), n, whole};
 }
 
 Edf Edf::fromSteps(std::span<const double> values, std::span<const double> levels) {
@@ -123,73 +153,99 @@ Edf Edf::fromSteps(std::span<const double> values, std::span<const double> level
 }
 
 double Edf::cdf(double x) const noexcept {
-  const auto above = std::upper_bound(values_.begin(), values_.end(), x);
-  return above == values_.begin() ? 0.0 : levels_[static_cast<std::size_t>(above - values_.begin()) - 1];
+  const auto above = std::upper_bound(values().begin(), values().end(), x) - values().begin();
+  return above == 0 ? 0.0 : level(static_cast<std::size_t>(above) - 1);
 }
 
-double Edf::quantile(double p) const noexcept {
-  const auto reached = std::lower_bound(levels_.begin(), levels_.end(), p);
-  return reached == levels_.end() ? values_.back() : values_[static_cast<std::size_t>(reached - levels_.begin())];
+/// The first step whose level is not below p; their number if there is none.
+std::size_t Edf::stepReaching(double p) const noexcept {
+  const std::size_t steps = values().size();
+  if (!steps_->equal) {
+    const std::vector<double>& levels = steps_->levels;
+    return static_cast<std::size_t>(std::lower_bound(levels.begin(), levels.end(), p) - levels.begin());
+  }
+  if (!(p > 0.0)) return 0;
+  if (p > 1.0) return steps;
+  auto i = static_cast<std::size_t>(p * static_cast<double>(steps));  // rounding leaves it a step beside, at most
+  while (i > 0 && level(i - 1) >= p) --i;
+  while (level(i) < p) ++i;
+  return i;
+}
+
+double Edf::quantile(double p) const noexcept { return values()[std::min(stepReaching(p), values().size() - 1)]; }
+
+/// int_0^1 term(quantile(p)) dp
+template <typename Term>
+double Edf::meanOf(Term term) const noexcept {
+  const std::span<const double> x = values();
+  if (steps_->equal) {
+    return blockSums<1>(x.size(), [=](std::size_t i) { return std::array{term(x[i])}; })[0] /
+           static_cast<double>(x.size());
+  }
+  const std::vector<double>& p = steps_->levels;
+  const auto later =
+      blockSums<1>(x.size() - 1, [&](std::size_t i) { return std::array{term(x[i + 1]) * (p[i + 1] - p[i])}; });
+  return term(x[0]) * p[0] + later[0];
 }
 
 double Edf::mean() const noexcept {
   // Relative to the smallest value, so that a small spread far from zero keeps its digits.
-  Summation sum;
-  double below = 0.0;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    sum.add((values_[i] - values_.front()) * (levels_[i] - below));
-    below = levels_[i];
-  }
-  return values_.front() + sum.value();
+  return min() + meanOf([this](double x) { return x - min(); });
 }
 
 double Edf::median() const noexcept {
-  const auto i = static_cast<std::size_t>(std::lower_bound(levels_.begin(), levels_.end(), 0.5) - levels_.begin());
-  return levels_[i] == 0.5 ? std::midpoint(values_[i], values_[i + 1]) : values_[i];
+  const std::size_t i = stepReaching(0.5);
+  return level(i) == 0.5 ? std::midpoint(values()[i], values()[i + 1]) : values()[i];
 }
 
 double Edf::standardDeviation() const noexcept {
   if (n_ < 2) return std::numeric_limits<double>::quiet_NaN();
-  const double centre = mean();
-  Summation sum;
-  double below = 0.0;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    sum.add((values_[i] - centre) * (values_[i] - centre) * (levels_[i] - below));
-    below = levels_[i];
-  }
-  return std::sqrt(sum.value() * effective_n_ / (effective_n_ - 1.0));
+  const double variance = meanOf([centre = mean()](double x) { return (x - centre) * (x - centre); });
+  return std::sqrt(variance * effective_n_ / (effective_n_ - 1.0));
 }
 
 Edf Edf::shifted(double offset) const {
-  EdfBuilder builder;  // two values may round to one
-  builder.reserve(values_.size());
-  for (std::size_t i = 0; i < values_.size(); ++i) builder.step(values_[i] + offset, levels_[i]);
-  Edf edf = std::move(builder).build();
-  edf.n_ = n_;
-  edf.effective_n_ = effective_n_;
-  return edf;
+  std::vector<double> moved(values().size());
+  std::transform(values().begin(), values().end(), moved.begin(), [offset](double x) { return x + offset; });
+  if (ascendAndDiffer(moved)) {
+    return {std::move(moved), steps_->equal ? std::vector<double>{} : steps_->levels, n_, effective_n_};
+  }
+  EdfBuilder builder;  // two values were rounded to one
+  for (std::size_t i = 0; i < moved.size(); ++i) builder.step(moved[i], level(i));
+  return std::move(builder).build(n_, effective_n_);
+}
+
+bool Edf::operator==(const Edf& other) const {
+  if (steps_ == other.steps_) return true;
+  if (steps_->values != other.steps_->values) return false;
+  return (steps_->equal && other.steps_->equal) || std::ranges::equal(levels(), other.levels());
 }
 
 void EdfBuilder::reserve(std::size_t steps) {
-  edf_.values_.reserve(steps);
-  edf_.levels_.reserve(steps);
+  values_.reserve(steps);
+  levels_.reserve(steps);
 }
 
 void EdfBuilder::step(double value, double level) {
-  const double reached = edf_.levels_.empty() ? 0.0 : edf_.levels_.back();
-  assert(level >= reached && (edf_.values_.empty() || value >= edf_.values_.back()));
+  const double reached = levels_.empty() ? 0.0 : levels_.back();
+  assert(level >= reached && (values_.empty() || value >= values_.back()));
   if (level == reached) return;
-  if (!edf_.values_.empty() && edf_.values_.back() == value) {
-    edf_.levels_.back() = level;
+  if (!values_.empty() && values_.back() == value) {
+    levels_.back() = level;
     return;
   }
-  edf_.values_.push_back(value);
-  edf_.levels_.push_back(level);
+  values_.push_back(value);
+  levels_.push_back(level);
 }
 
-Edf EdfBuilder::build() && {
-  assert(!edf_.levels_.empty() && edf_.levels_.back() == 1.0);
-  return std::move(edf_);
+Edf EdfBuilder::build(std::size_t n, double effective_n) && {
+  assert(!levels_.empty() && levels_.back() == 1.0);
+  return {std::move(values_), std::move(levels_), n, effective_n};
+}
+
+Edf EdfBuilder::equalSteps(std::vector<double> values) {
+  assert(!values.empty());
+  return {std::move(values), {}};
 }
 
 }  // namespace metrics

@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace metrics {
@@ -16,10 +19,11 @@ namespace metrics {
 ///
 /// Levels are correctly rounded quotients i/n. Equal fractions i/n = j/m are therefore equal doubles, and levels of two
 /// sample sizes merge without slivers, as if compared by integer cross products.
-/// Immutable; safe to share.
+/// Immutable; safe to share. A copy costs nothing: it refers to the same steps.
 class Edf {
  public:
-  /// From a sample in any order; ties are welcome. Throws InputError if it is empty or a value is not finite.
+  /// From a sample in any order; ties are welcome. One that already ascends is only read through, not sorted or copied:
+  /// move it in. Throws InputError if it is empty or a value is not finite.
   explicit Edf(std::vector<double> values);
 
   /// From a weighted sample: weights >= 0, normalised to sum 1; values of weight 0 are dropped. Throws InputError if a
@@ -39,10 +43,17 @@ class Edf {
   /// Kish's size of a weighted sample, (sum w)^2 / sum w^2; n() if unweighted. Used where a formula needs n.
   [[nodiscard]] double effectiveN() const noexcept { return effective_n_; }
 
-  [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
-  [[nodiscard]] std::span<const double> levels() const noexcept { return levels_; }
-  [[nodiscard]] double min() const noexcept { return values_.front(); }
-  [[nodiscard]] double max() const noexcept { return values_.back(); }
+  [[nodiscard]] std::span<const double> values() const noexcept { return steps_->values; }
+  /// Of equal steps, (i + 1)/n is written down when this is first called.
+  [[nodiscard]] std::span<const double> levels() const { return steps_->equal ? equalLevels() : steps_->levels; }
+  /// Height after step i: levels()[i], without writing down the array.
+  [[nodiscard]] double level(std::size_t i) const noexcept {
+    return steps_->equal ? static_cast<double>(i + 1) / static_cast<double>(steps_->values.size()) : steps_->levels[i];
+  }
+  /// Every step has the same height: a sample without ties or weights.
+  [[nodiscard]] bool hasEqualSteps() const noexcept { return steps_->equal; }
+  [[nodiscard]] double min() const noexcept { return steps_->values.front(); }
+  [[nodiscard]] double max() const noexcept { return steps_->values.back(); }
 
   /// Share of the sample that is <= x.
   [[nodiscard]] double cdf(double x) const noexcept;
@@ -58,16 +69,30 @@ class Edf {
   /// Every value moved by `offset` along x. [unit of x]
   [[nodiscard]] Edf shifted(double offset) const;
 
-  bool operator==(const Edf& other) const noexcept {
-    return values_ == other.values_ && levels_ == other.levels_;  // the same function, whatever it was made from
-  }
+  bool operator==(const Edf& other) const;  // the same function, whatever it was made from
 
  private:
-  Edf() = default;
   friend class EdfBuilder;
 
-  std::vector<double> values_;
-  std::vector<double> levels_;
+  /// What copies share. The levels of equal steps are empty until somebody asks for the array.
+  struct Steps {
+    Steps(std::vector<double> x, std::vector<double> p)
+        : values(std::move(x)), equal(p.empty()), levels(std::move(p)) {}
+
+    std::vector<double> values;
+    bool equal;
+    mutable std::vector<double> levels;
+    mutable std::once_flag asked;
+  };
+
+  /// No levels: equal steps.
+  Edf(std::vector<double> values, std::vector<double> levels, std::size_t n = 0, double effective_n = 0.0);
+  [[nodiscard]] std::span<const double> equalLevels() const;
+  [[nodiscard]] std::size_t stepReaching(double p) const noexcept;
+  template <typename Term>
+  [[nodiscard]] double meanOf(Term term) const noexcept;
+
+  std::shared_ptr<const Steps> steps_;
   std::size_t n_ = 0;
   double effective_n_ = 0.0;
 };
@@ -78,10 +103,15 @@ class EdfBuilder {
   void reserve(std::size_t steps);
   /// The function rises to `level` at `value`. Neither may fall from one call to the next.
   void step(double value, double level);
-  [[nodiscard]] Edf build() &&;
+  /// `n` and `effective_n`: of the sample, if there is one.
+  [[nodiscard]] Edf build(std::size_t n = 0, double effective_n = 0.0) &&;
+
+  /// The function that rises by the same height at each of these values, which ascend and differ.
+  [[nodiscard]] static Edf equalSteps(std::vector<double> values);
 
  private:
-  Edf edf_;
+  std::vector<double> values_;
+  std::vector<double> levels_;
 };
 
 }  // namespace metrics

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "metrics/distributions/edf.h"
+#include "metrics/distributions/summation.h"
 
 namespace metrics {
 
@@ -40,6 +41,31 @@ void eachCommonLevel(const std::array<const Edf*, N>& functions, Visit&& visit) 
       value[k] += done;
     }
   }
+}
+
+/// Both rise by the same height at every step: their i-th values are their quantiles on the same stretch. Such pairs
+/// (samples of one size without ties) need no walk.
+[[nodiscard]] inline bool stepTogether(const Edf& a, const Edf& b) noexcept {
+  return a.hasEqualSteps() && b.hasEqualSteps() && a.values().size() == b.values().size();
+}
+
+/// M integrals over probability, int_0^1 terms(quantile of a, quantile of b) dp; `terms` returns an array of M.
+template <std::size_t M, typename Terms>
+[[nodiscard]] std::array<double, M> levelIntegrals(const Edf& a, const Edf& b, const Terms& terms) {
+  std::array<double, M> integrals;
+  if (stepTogether(a, b)) {
+    const auto sums = blockSums<M>(a.values().size(), [&terms, x = a.values().data(), y = b.values().data()](
+                                                          std::size_t i) { return terms(x[i], y[i]); });
+    for (std::size_t m = 0; m < M; ++m) integrals[m] = sums[m] / static_cast<double>(a.values().size());
+    return integrals;
+  }
+  std::array<Summation, M> sums;
+  eachCommonLevel<2>({&a, &b}, [&](const CommonLevel<2>& at) {
+    const std::array<double, M> term = terms(at.quantiles[0], at.quantiles[1]);
+    for (std::size_t m = 0; m < M; ++m) sums[m].add(at.width() * term[m]);
+  });
+  for (std::size_t m = 0; m < M; ++m) integrals[m] = sums[m].value();
+  return integrals;
 }
 
 }  // namespace metrics

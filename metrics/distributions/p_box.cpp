@@ -1,12 +1,12 @@
 #include "metrics/distributions/p_box.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <vector>
 
 #include "core/error.h"
 #include "metrics/distributions/level_walk.h"
-#include "metrics/distributions/summation.h"
 
 namespace metrics {
 
@@ -15,6 +15,11 @@ namespace {
 /// The function whose quantile at every level is chosen from those of a and b.
 template <typename Choose>
 Edf combined(const Edf& a, const Edf& b, Choose choose) {
+  if (stepTogether(a, b)) {  // rank by rank; as the values of a and of b differ, so do the chosen ones
+    std::vector<double> chosen(a.values().size());
+    std::transform(a.values().begin(), a.values().end(), b.values().begin(), chosen.begin(), choose);
+    return EdfBuilder::equalSteps(std::move(chosen));
+  }
   EdfBuilder builder;
   builder.reserve(std::max(a.values().size(), b.values().size()));
   eachCommonLevel<2>(
@@ -61,12 +66,9 @@ PBox PBox::fromEdges(Edf left, Edf right) {
 
 PBox PBox::fromInterval(double low, double high) { return fromEdges(Edf({low}), Edf({high})); }
 
-double PBox::area() const noexcept {
+double PBox::area() const {
   if (!right_) return 0.0;
-  Summation sum;
-  eachCommonLevel<2>({&left_, &*right_},
-                     [&](const CommonLevel<2>& at) { sum.add(at.width() * (at.quantiles[1] - at.quantiles[0])); });
-  return sum.value();
+  return levelIntegrals<1>(left_, *right_, [](double left, double right) { return std::array{right - left}; })[0];
 }
 
 PBox PBox::shifted(double offset) const {

@@ -39,7 +39,7 @@ class PBox {
   [[nodiscard]] bool isSingleDistribution() const noexcept { return !right_; }
 
   /// Area between the edges: the mean width. 0 for a single distribution. [unit of x]
-  [[nodiscard]] double area() const noexcept;
+  [[nodiscard]] double area() const;
   /// Width at level p: right minus left quantile. [unit of x]
   [[nodiscard]] double widthAt(double p) const noexcept { return right().quantile(p) - left().quantile(p); }
 

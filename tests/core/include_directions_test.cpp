@@ -69,6 +69,7 @@ TEST(IncludeDirections, ThirdPartyLibrariesStayInTheirFolder) {
                                                              {"xlsxwriter.h", {"specs"}},
                                                              {"tbb", {"core"}},
                                                              {"Random123", {"core"}},
+                                                             {"hwy", {"metrics"}},
                                                              {"muParser.h", {"acceptance", "specs"}},
                                                              {"CLI", {"app"}},
                                                              {"csv.h", {"core"}}};

@@ -1,5 +1,6 @@
 #include "metrics/distributions/edf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "metrics/distributions/level_walk.h"
 #include "tests/metrics/random_cases.h"
 
@@ -25,6 +27,75 @@ TEST(Edf, StepsByOneOverNAtEachValue) {
 }
 
 TEST(Edf, MinusZeroAndZeroAreOneValue) { EXPECT_THAT(Edf({0.0, -0.0}).values(), ElementsAre(0.0)); }
+
+// At the head, in the middle and among ties: each takes another way through the constructor.
+TEST(Edf, MinusZeroOfASampleThatAscendsBecomesZero) {
+  const std::vector<std::vector<double>> samples{{-0.0, 1.0}, {-1.0, -0.0, 1.0}, {-0.0, 0.0, 1.0}, {-0.0}};
+  for (const auto& sample : samples) {
+    for (const double x : Edf(sample).values()) EXPECT_FALSE(x == 0.0 && std::signbit(x));
+  }
+}
+
+TEST(Edf, OrderOfASampleDoesNotMatter) {
+  metrics_test::RandomCases cases(6);
+  for (int k = 0; k < 200; ++k) {
+    std::vector<double> sample = cases.sample(500);
+    const Edf edf(sample);
+    std::sort(sample.begin(), sample.end());
+    EXPECT_EQ(Edf(sample), edf);
+    std::reverse(sample.begin(), sample.end());
+    EXPECT_EQ(Edf(sample), edf);
+  }
+}
+
+TEST(Edf, StepsAreEqualExactlyIfNoTwoValuesAre) {
+  EXPECT_TRUE(Edf({3.0, 1.0, 2.0}).hasEqualSteps());
+  EXPECT_FALSE(Edf({3.0, 1.0, 1.0}).hasEqualSteps());
+  EXPECT_TRUE(Edf({4.0}).hasEqualSteps());
+  const Edf apart({1.0, 1.0 + 1e-15, 2.0});
+  EXPECT_FALSE(apart.shifted(1e6).hasEqualSteps());  // rounding has tied two
+  EXPECT_THAT(apart.shifted(1e6).levels(), ElementsAre(2.0 / 3.0, 1.0));
+}
+
+// The same two ways to a level, and the search for one, with steps of equal height (levels are computed) and without
+// (levels are stored).
+TEST(Edf, LevelsAreTheCorrectlyRoundedFractions) {
+  for (const int n : {1, 2, 3, 10, 49, 1000, 70001}) {
+    std::vector<double> values(static_cast<std::size_t>(n));
+    std::iota(values.begin(), values.end(), 0.0);
+    const Edf edf(values);
+    for (std::size_t i = 0; i < edf.values().size(); ++i) {
+      const double level = static_cast<double>(i + 1) / n;
+      ASSERT_EQ(edf.levels()[i], level);
+      ASSERT_EQ(edf.level(i), level);
+      ASSERT_EQ(edf.quantile(level), edf.values()[i]);
+      ASSERT_EQ(edf.quantile(std::nextafter(level, 2.0)), edf.values()[std::min(i + 1, edf.values().size() - 1)]);
+    }
+  }
+}
+
+TEST(Edf, QuantilesBeyondTheEndsAreTheEnds) {
+  for (const Edf& edf : {Edf({1.0, 2.0, 3.0}), Edf({1.0, 2.0, 2.0, 3.0})}) {
+    EXPECT_EQ(edf.quantile(-1.0), 1.0);
+    EXPECT_EQ(edf.quantile(0.0), 1.0);
+    EXPECT_EQ(edf.quantile(1.0), 3.0);
+    EXPECT_EQ(edf.quantile(2.0), 3.0);
+  }
+}
+
+// Copies share steps whose levels are written down on first use: by one thread only.
+TEST(Edf, ManyThreadsMayAskACopyForItsLevels) {
+  std::vector<double> values(10'000);
+  std::iota(values.begin(), values.end(), 0.0);
+  const Edf edf(values);
+  std::vector<double> sums(64);
+  core::parallelFor(sums.size(), 1, [&](std::size_t begin, std::size_t) {
+    const Edf copy = edf;
+    for (const double level : copy.levels()) sums[begin] += level;
+  });
+  for (const double sum : sums) EXPECT_EQ(sum, sums.front());
+  EXPECT_NEAR(sums.front(), 5000.5, 1e-8);
+}
 
 TEST(Edf, CdfIsTheShareOfValuesNotAbove) {
   const Edf edf({1.0, 2.0, 2.0, 3.0});
@@ -139,6 +210,9 @@ TEST(Edf, RefusesWhatIsNoDistribution) {
   EXPECT_THAT([] { Edf(std::vector<double>{}); }, ThrowsMessage<core::InputError>(HasSubstr("has no values")));
   EXPECT_THAT([&] { Edf({1.0, nan}); }, ThrowsMessage<core::InputError>(HasSubstr("value 2: is nan")));
   EXPECT_THAT([&] { Edf({-inf, 1.0}); }, ThrowsMessage<core::InputError>(HasSubstr("value 1: is -inf")));
+  EXPECT_THAT([&] { Edf({1.0, inf}); }, ThrowsMessage<core::InputError>(HasSubstr("value 2: is inf")));
+  EXPECT_THAT([&] { Edf({nan}); }, ThrowsMessage<core::InputError>(HasSubstr("value 1: is nan")));
+  EXPECT_THAT([&] { Edf({3.0, 1.0, inf, 2.0}); }, ThrowsMessage<core::InputError>(HasSubstr("value 3: is inf")));
   const std::vector<double> two{1.0, 2.0};
   const auto weighted = [&](std::vector<double> weights) { return [&, weights] { Edf::weighted(two, weights); }; };
   EXPECT_THAT(weighted({1.0}), ThrowsMessage<core::InputError>(HasSubstr("2 values have 1 weights")));

@@ -46,6 +46,26 @@ TEST(PBox, EdgesAreTheLargestAndSmallestCdfOfTheRuns) {
   }
 }
 
+// Runs of one size without ties are combined rank by rank; a tie sends them through the walk over levels.
+TEST(PBox, EnvelopeOfRunsOfOneSizeHasTheirExtremesAtEveryRank) {
+  RandomCases cases(7);
+  std::vector<std::vector<double>> samples(5, std::vector<double>(1000));
+  for (auto& sample : samples) {
+    for (double& x : sample) x = cases.uniform(-1.0, 1.0);
+    std::sort(sample.begin(), sample.end());
+  }
+  for (const bool tie : {false, true}) {
+    if (tie) samples[2][1] = samples[2][0];
+    const PBox box = PBox::envelope(std::vector<Edf>(samples.begin(), samples.end()));
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const auto [low, high] = std::minmax({samples[0][i], samples[1][i], samples[2][i], samples[3][i], samples[4][i]});
+      const double level = static_cast<double>(i + 1) / 1000.0;
+      ASSERT_EQ(box.left().quantile(level), low);
+      ASSERT_EQ(box.right().quantile(level), high);
+    }
+  }
+}
+
 TEST(PBox, EnvelopeIsOrderIndependent) {
   RandomCases cases(4);
   for (int k = 0; k < 100; ++k) {
