@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "metrics/area/area_metrics.h"
 #include "metrics/grids/grid_metrics.h"
+#include "metrics/objects/object_metrics.h"
 #include "metrics/points/point_metrics.h"
 #include "metrics/samples/samples_metrics.h"
 #include "metrics/series/series_metrics.h"
@@ -65,6 +66,8 @@ std::vector<MetricInfo> allMetricInfos() {
   append<GridInput>(gridMetrics(), infos);
   append<RangeImageInput>(rangeImageMetrics(), infos);
   append<PointCloudInput>(pointMetrics(), infos);
+  append<ObjectListInput>(objectMetrics(), infos);
+  append<TracksInput>(trackMetrics(), infos);
   std::stable_sort(infos.begin(), infos.end(), [](const MetricInfo& a, const MetricInfo& b) {
     constexpr int kLast = 1000;
     return (a.number == 0 ? kLast : a.number) < (b.number == 0 ? kLast : b.number);

@@ -22,13 +22,16 @@ struct Kind {
 };
 
 /// The list: one line a kind of data.
-constexpr std::array<Kind, 5> kKinds{{
+constexpr std::array<Kind, 7> kKinds{{
     {metrics::DataKind::Values, "a column of each file, in any order; several SIM files make a p-box", compareValues},
     {metrics::DataKind::Series, "a column of each file, row by row in step", compareSeries},
     {metrics::DataKind::PointCloud, "columns x_m y_m z_m, or range_m azimuth_rad elevation_rad", comparePointClouds},
     {metrics::DataKind::RangeImage, "a measurement with layer azimuth_rad range_m, or a bare matrix of ranges in m",
      compareRangeImages},
     {metrics::DataKind::OccupancyGrid, "a bare matrix of occupancy probabilities", compareOccupancyGrids},
+    {metrics::DataKind::ObjectList, "objects at one time: id x_m y_m [z_m length_m width_m height_m yaw_rad]",
+     compareObjectLists},
+    {metrics::DataKind::Tracks, "the same with a column frame", compareTracks},
 }};
 
 const Kind& kindOf(const std::string& data) {

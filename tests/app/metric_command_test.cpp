@@ -214,6 +214,26 @@ TEST_F(MetricCommand, OccupancyGridsAreMatricesOfProbabilities) {
   EXPECT_THAT(ragged.messages, HasSubstr("ragged2.csv:2: has 1 cells; the first row has 2"));
 }
 
+// One object 0.3 m off, one missed: GOSPA^2 = 0.3^2 + c^2 / 2.
+TEST_F(MetricCommand, ObjectListsAndTracksComeFromTheSameColumns) {
+  const std::string truth = file("truth.csv", "id,frame,x_m,y_m\n1,0,10,0\n2,0,20,5\n1,1,11,0\n");
+  const std::string objects = file("objects.csv", "id,frame,x_m,y_m\n7,0,10.3,0\n7,1,11.3,0\n");
+  const json lists = measurandOf(
+      runFidelis({"metric", truth, objects, "--data", "object-list", "--set", "cut_off_m=2", "--json", "-"}));
+  EXPECT_NEAR(lists.at("gospa").at("distance").get<double>(), std::sqrt(0.3 * 0.3 + 2.0), 1e-12);
+  EXPECT_EQ(lists.at("gospa").at("missed"), 1.0);
+  const json tracks = measurandOf(runFidelis({"metric", truth, objects, "--data", "tracks", "--json", "-"}));
+  EXPECT_EQ(tracks.at("n_real"), 2);
+  EXPECT_EQ(tracks.at("track_metric").at("switches"), 0.0);
+  const ProgramRun no_frame =
+      runFidelis({"metric", file("still.csv", "id,x_m,y_m\n1,0,0\n"), objects, "--data", "tracks"});
+  EXPECT_EQ(no_frame.status, 2);
+  EXPECT_THAT(no_frame.messages, HasSubstr("still.csv:1: has no column 'frame'"));
+  const ProgramRun twice =
+      runFidelis({"metric", file("twice.csv", "id,frame,x_m,y_m\n1,0,0,0\n1,0,1,0\n"), objects, "--data", "tracks"});
+  EXPECT_THAT(twice.messages, HasSubstr("twice.csv: has object 1 twice in frame 0"));
+}
+
 // Two frames whose detections are equal: drawn by detection the mean seems known, drawn by frame it is not.
 TEST_F(MetricCommand, IntervalsAreDrawnByTheUnitOfChance) {
   std::string rows = "frame,range_m\n";
