@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "metrics/samples/anderson_darling.h"
+#include "metrics/samples/classifier_two_sample.h"
 #include "metrics/samples/divergences.h"
 #include "metrics/samples/kolmogorov_smirnov.h"
 #include "metrics/samples/moment_differences.h"
 #include "metrics/samples/positive_ks_tests.h"
+#include "metrics/samples/sample_values.h"
 #include "metrics/samples/wasserstein.h"
 
 namespace metrics {
@@ -78,6 +80,17 @@ Divergences kde(const SamplePair& samples) {
 Numbers kl(const SamplePair& samples) {
   const Divergences of = kde(samples);
   return {of.kl, of.kl_reverse, of.symmetrised};
+}
+
+/// Half split with the first seed; not a number for weighted samples, tables and single values.
+Numbers c2st(const SamplePair& samples) {
+  for (const Edf* edf : {&samples.simulated, &samples.measured}) {
+    if (!isPlainSample(*edf) || edf->n() < 2) return {kNaN, kNaN};
+  }
+  const std::vector<double> simulated = sampleValues(samples.simulated, "simulated");
+  const std::vector<double> measured = sampleValues(samples.measured, "measured");
+  const ClassifierTwoSample test = classifierTwoSampleTest({.simulated = simulated, .measured = measured});
+  return {test.accuracy, test.p_value};
 }
 
 /// The list: one entry a metric. x real, y simulated.
@@ -235,6 +248,18 @@ std::vector<Entry> makeList() {
               .on_request = true,
               .source = "Lin 1991, doi:10.1109/18.61115"},
              [](const SamplePair& samples) { return kde(samples).js; }),
+      object({.number = 34,
+              .name = "c2st",
+              .title = "Classifier two-sample test",
+              .meaning = "how often a neighbours' vote tells simulated values; in place of the learned metric 34",
+              .formula = "(share of x told right + share of y told right) / 2",
+              .best = "0.5",
+              .worst = "1, p 0",
+              .unit = MetricUnit::None,
+              .scale = Scale::Interval,
+              .on_request = true,
+              .source = "Lopez-Paz & Oquab 2017, arXiv:1610.06545; 34 is Ngo et al. 2021, arXiv:2104.06772"},
+             {"accuracy", "p_value"}, c2st),
   };
 }
 
