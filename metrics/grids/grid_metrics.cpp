@@ -210,8 +210,8 @@ std::vector<ImageEntry> makeImageList() {
                [](const RangeImageInput& in) { return echoPictureDistance(in.pair()); }),
       ofSharedPixels("pearson", {.meaning = "linear relation of the ranges over pixels with an echo in both; "
                                             "NaN if there are none or a side is constant"}),
-      ofImages({.name = "missing_pixels",
-                .title = "Share of missing pixels",
+      ofImages({.name = "measured_only_pixels",
+                .title = "Share of pixels that only the measurement has",
                 .meaning = "share of all pixels with an echo in the measurement only",
                 .formula = "#(x valid, y not) / #",
                 .best = "0",
@@ -219,9 +219,9 @@ std::vector<ImageEntry> makeImageList() {
                 .unit = MetricUnit::None,
                 .scale = Scale::Nominal,
                 .source = kOurs},
-               [](const RangeImageInput& in) { return existenceShares(in.pair()).missing; }),
-      ofImages({.name = "extra_pixels",
-                .title = "Share of extra pixels",
+               [](const RangeImageInput& in) { return existenceShares(in.pair()).measured_only; }),
+      ofImages({.name = "simulated_only_pixels",
+                .title = "Share of pixels that only the simulation has",
                 .meaning = "share of all pixels with an echo in the simulation only",
                 .formula = "#(y valid, x not) / #",
                 .best = "0",
@@ -229,7 +229,7 @@ std::vector<ImageEntry> makeImageList() {
                 .unit = MetricUnit::None,
                 .scale = Scale::Nominal,
                 .source = kOurs},
-               [](const RangeImageInput& in) { return existenceShares(in.pair()).extra; }),
+               [](const RangeImageInput& in) { return existenceShares(in.pair()).simulated_only; }),
   };
 }
 

@@ -51,14 +51,15 @@ ExistenceShares existenceShares(const RangeImagePair& images) {
   requireComparable(images);
   const CellMask simulated = echoes(images.simulated);
   const CellMask measured = echoes(images.measured);
-  std::size_t missing = 0;
-  std::size_t extra = 0;
+  std::size_t measured_only = 0;
+  std::size_t simulated_only = 0;
   for (std::size_t i = 0; i < measured.set.size(); ++i) {
-    missing += measured.set[i] > simulated.set[i] ? 1 : 0;
-    extra += simulated.set[i] > measured.set[i] ? 1 : 0;
+    measured_only += measured.set[i] > simulated.set[i] ? 1 : 0;
+    simulated_only += simulated.set[i] > measured.set[i] ? 1 : 0;
   }
   const double all = static_cast<double>(measured.set.size());
-  return {.missing = static_cast<double>(missing) / all, .extra = static_cast<double>(extra) / all};
+  return {.measured_only = static_cast<double>(measured_only) / all,
+          .simulated_only = static_cast<double>(simulated_only) / all};
 }
 
 double echoPictureDistance(const RangeImagePair& images) {

@@ -48,8 +48,8 @@ struct SharedPixels {
 
 /// Pixels on which the images disagree whether there is an echo. Both are shares of all pixels, in [0, 1].
 struct ExistenceShares {
-  double missing;  ///< echo in the measurement, none in the simulation
-  double extra;    ///< echo in the simulation, none in the measurement
+  double measured_only;   ///< echo in the measurement, none in the simulation
+  double simulated_only;  ///< echo in the simulation, none in the measurement
 };
 
 [[nodiscard]] ExistenceShares existenceShares(const RangeImagePair& images);

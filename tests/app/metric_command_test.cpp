@@ -191,13 +191,13 @@ TEST_F(MetricCommand, RangeImagesAreReadFromMeasurementsOrFromAMatrix) {
   const std::string same = file("same.csv", "5,6\nnan,7\n");
   const json from_matrix = measurandOf(runFidelis({"metric", same, matrix, "--data", "range-image", "--json", "-"}));
   EXPECT_DOUBLE_EQ(from_matrix.at("mean_signed_error").get<double>(), 0.5);
-  EXPECT_EQ(from_matrix.at("missing_pixels"), 0.0);
+  EXPECT_EQ(from_matrix.at("measured_only_pixels"), 0.0);
   const std::string simulated = file("simulated.csv", header + "0,0,0.1,1,5.5\n0,0,0,1,6.5\n0,1,0.1,1,8\n");
   const json image = measurandOf(runFidelis({"metric", measured, simulated, "--data", "range-image", "--json", "-"}));
   EXPECT_EQ(image.at("n_real"), 3);
   EXPECT_DOUBLE_EQ(image.at("mean_signed_error").get<double>(), 0.5);
-  EXPECT_DOUBLE_EQ(image.at("missing_pixels").get<double>(), 0.25);
-  EXPECT_DOUBLE_EQ(image.at("extra_pixels").get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(image.at("measured_only_pixels").get<double>(), 0.25);
+  EXPECT_DOUBLE_EQ(image.at("simulated_only_pixels").get<double>(), 0.25);
 }
 
 TEST_F(MetricCommand, OccupancyGridsAreMatricesOfProbabilities) {

@@ -35,11 +35,11 @@ TEST(RangeImage, CountsMissingAndExtraPixelsAsSharesOfAll) {
   const RangeImage simulated = image(1, 8, {1.0, kNone, kNone, kNone, 5.0, 5.0, kNone, 1.0});
   const RangeImage measured = image(1, 8, {1.0, 2.0, 2.0, 3.0, kNone, 5.0, kNone, 1.0});
   const ExistenceShares shares = existenceShares({.simulated = simulated, .measured = measured});
-  EXPECT_EQ(shares.missing, 3.0 / 8.0);
-  EXPECT_EQ(shares.extra, 1.0 / 8.0);
+  EXPECT_EQ(shares.measured_only, 3.0 / 8.0);
+  EXPECT_EQ(shares.simulated_only, 1.0 / 8.0);
   const ExistenceShares exchanged = existenceShares({.simulated = measured, .measured = simulated});
-  EXPECT_EQ(exchanged.missing, shares.extra);
-  EXPECT_EQ(exchanged.extra, shares.missing);
+  EXPECT_EQ(exchanged.measured_only, shares.simulated_only);
+  EXPECT_EQ(exchanged.simulated_only, shares.measured_only);
 }
 
 TEST(RangeImage, PictureDistanceIsOfThePixelsWithAnEcho) {

@@ -65,8 +65,8 @@ def images(y, x):
         "rmse": np.sqrt((d**2).mean()),
         "picture_distance": colour_distance(seen_y, seen_x),
         "pearson": stats.pearsonr(y[both], x[both])[0],
-        "missing_pixels": np.mean(seen_x & ~seen_y),
-        "extra_pixels": np.mean(seen_y & ~seen_x),
+        "measured_only_pixels": np.mean(seen_x & ~seen_y),
+        "simulated_only_pixels": np.mean(seen_y & ~seen_x),
     }
 
 
