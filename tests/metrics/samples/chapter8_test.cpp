@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
-#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
@@ -67,6 +67,15 @@ Universe draw(std::uint32_t repetition) {
 
 using Figures = std::map<std::string, double>;
 
+/// In bins of 0.10 m that hold both samples.
+double histogramSymmetrised(const SamplePair& pair) {
+  constexpr double kBin_m = 0.10;
+  const double last = std::max(pair.simulated.max(), pair.measured.max());
+  std::vector<double> edges = {kBin_m * std::floor(std::min(pair.simulated.min(), pair.measured.min()) / kBin_m)};
+  while (edges.back() <= last) edges.push_back(edges.back() + kBin_m);
+  return metrics::histogramDivergences(pair, edges).symmetrised;
+}
+
 void addSampleFigures(const SamplePair& pair, Figures& figures) {
   figures["abs_mean_difference"] = std::abs(metrics::meanDifference(pair));
   figures["abs_median_difference"] = std::abs(metrics::medianDifference(pair));
@@ -84,6 +93,7 @@ void addSampleFigures(const SamplePair& pair, Figures& figures) {
   figures["kl_reverse"] = kde.kl_reverse;
   figures["kl_symmetrised"] = kde.symmetrised;
   figures["js_divergence"] = kde.js;
+  figures["histogram_symmetrised"] = histogramSymmetrised(pair);
 }
 
 void addBoxFigures(const SamplePair& pair, Figures& figures) {
@@ -177,6 +187,7 @@ bool covers(const std::vector<double>& draws, double published, double half_digi
   return published + half_digit >= at(draws, 0.025) && published - half_digit <= at(draws, 0.975);
 }
 
+// --gtest_output=json:FILE writes our intervals (docs/metrics-chapter8.md).
 // A 2.5 % point of R draws lies between the points p -+ sqrt(p (1 - p) / R) of the distribution. The difference of two
 // such points is therefore judged in ranks of our draws, 4 standard errors to either side (252 comparisons), without
 // assuming any density; then come the four printed digits.
@@ -185,6 +196,7 @@ TEST(Chapter8, SamplingIntervalsAgreeWithTheIndependentOnes) {
   ASSERT_EQ(cells.size(), 18 * kSimulations);
   for (const Cell& cell : cells) {
     const std::vector<double>& draws = drawsOf(cell.figure_and_simulation);
+    RecordProperty(cell.figure_and_simulation, fmt::format("{:.2g} .. {:.2g}", at(draws, 0.025), at(draws, 0.975)));
     const double error = 4.0 * std::sqrt(0.025 * 0.975 * (1.0 / kDraws + 1.0 / cell.draws));
     for (const auto& [p, theirs] : {std::pair{0.025, cell.low}, std::pair{0.975, cell.high}}) {
       const double printed = std::isinf(theirs) ? 0.0 : 6e-4 * std::abs(theirs) + 1e-12;
@@ -233,6 +245,10 @@ TEST(Chapter8, OtherConventionsAreExcluded) {
   EXPECT_FALSE(covers(drawsOf("avm sim4"), 0.00, 0.005));
   // d_AVM,max as the larger of L and R.
   EXPECT_FALSE(covers(drawsOf("double_larger sim4"), 0.45, 0.005));
+  // Histograms: some bin is empty on one side.
+  for (const char* cell : {"histogram_symmetrised sim1", "histogram_symmetrised sim2", "histogram_symmetrised sim4"}) {
+    EXPECT_TRUE(std::isinf(at(drawsOf(cell), 0.025))) << cell;
+  }
   // D_JS as the distance, the root of the divergence.
   const double smallest_root = std::sqrt(at(drawsOf("js_divergence sim1"), 0.025));
   EXPECT_GT(smallest_root, 0.41 + 0.005);
