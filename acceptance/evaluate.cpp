@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "acceptance/attainability.h"
 #include "acceptance/sample_values.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -206,6 +207,9 @@ SampleResult Evaluation::evaluateSample(std::size_t index) {
   result.n_real = measured.size();
   for (const core::Detections& run : runs) result.n_sim.push_back(run.size());
   decide(result, sides, distributions);
+  const double done = static_cast<double>(simulated_) / static_cast<double>(simulations_);
+  core::PartOfProgress here(progress_, done, done);
+  result.remarks = unattainableLimits(result.relations, distributions, measurand_.unit, result_.seed, here);
   if (distributions.complete()) draw(result, distributions);
   return result;
 }

@@ -199,6 +199,9 @@ void addTest(Page& page, const TestResult& test) {
   for (const SampleResult& sample : test.samples) {
     if (!sample.figure.empty()) page.figure(sample.figure);
     if (sample.verdict != Verdict::Passed) page.paragraph(report::strong(sample.id) + report::text(": " + sample.text));
+    for (const std::string& remark : sample.remarks) {
+      page.paragraph(report::badge("remark", Tone::Warning) + report::text(" " + sample.id + ": " + remark + "."));
+    }
   }
   addValues(page, test);
   addUsedFiles(page, test);

@@ -22,8 +22,9 @@ struct SampleResult {
   std::vector<Relation> relations;           ///< empty if the expression could not be decided
   std::optional<Relation> decisive;          ///< the one with the least margin
   std::size_t n_real = 0;
-  std::vector<std::size_t> n_sim;  ///< centre first, then the corners of the epistemic box
-  std::string figure;              ///< SVG; empty if there is nothing to draw
+  std::vector<std::size_t> n_sim;    ///< centre first, then the corners of the epistemic box
+  std::vector<std::string> remarks;  ///< what a reader must know of this verdict
+  std::string figure;                ///< SVG; empty if there is nothing to draw
 };
 
 /// One acceptance test: all that its report shows.

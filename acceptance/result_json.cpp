@@ -30,6 +30,7 @@ Json sampleJson(const SampleResult& sample, Figures figures) {
   object["values"] = numbers(sample.values);
   object["relations"] = Json::array();
   for (const Relation& relation : sample.relations) object["relations"].push_back(relationJson(relation));
+  if (!sample.remarks.empty()) object["remarks"] = sample.remarks;
   if (figures == Figures::Included) object["figure"] = sample.figure;
   return object;
 }

@@ -66,6 +66,13 @@ void accept(const Options& options, Session& session) {
   std::ostream& lines = options.json == "-" ? session.messages : session.out;
   for (const acceptance::TestResult& test : run.tests) lines << line(test);
   lines.flush();
+  for (const acceptance::TestResult& test : run.tests) {
+    for (const acceptance::SampleResult& sample : test.samples) {
+      for (const std::string& remark : sample.remarks) {
+        if (!session.quiet) session.messages << fmt::format("{}, {}: {}.\n", test.test.id, sample.id, remark);
+      }
+    }
+  }
   if (!options.json.empty()) session.writeJsonTo(options.json, acceptance::toJson(run));
   session.status = exitStatus(run);
   if (session.status == kBadInput && run.count(Verdict::Error) == 0) {

@@ -145,6 +145,17 @@ TEST(Evaluate, AMetricOfDifferencesIsRefusedForAMeasurandOfRanks) {
   EXPECT_TRUE(std::isnan(allowed.samples[0].values.at("d_avm")));
 }
 
+// 40 detections of 10 mm noise: two such samples differ by 2 mm in shape although nothing is wrong with the model.
+TEST(Evaluate, ALimitBelowWhatChanceAloneGivesIsRemarked) {
+  const SmallProject project;
+  const TestResult tight = evaluated(project, "d_cavm <= 0.0001 && abs(d_bias) <= 1");
+  ASSERT_EQ(tight.samples[0].remarks.size(), 1u);
+  EXPECT_THAT(tight.samples[0].remarks[0], HasSubstr("the limit of d_cavm, 0.0001 m, is below"));
+  EXPECT_THAT(tight.samples[0].remarks[0], HasSubstr("n = 40"));
+  EXPECT_TRUE(evaluated(project, "d_cavm <= 0.1").samples[0].remarks.empty());
+  EXPECT_TRUE(evaluated(project, "abs(d_bias) <= 0.0001").samples[0].remarks.empty());  // a bias may be 0
+}
+
 TEST(Evaluate, ATestWithoutExperimentIsSkipped) {
   const SmallProject project;
   specs::AcceptanceTest test = SmallProject::rangeTest("RangeError_1", "");
@@ -194,7 +205,12 @@ TEST(ExpressionVariables, AreAllUnderstoodByAnExpression) {
     specs::AcceptanceTest test = SmallProject::rangeTest("RangeError_1", variable.name + " >= -1000");
     test.samples = {"r8"};
     test.frames = 5;
-    EXPECT_EQ(evaluated(project, test).verdict, Verdict::Passed) << variable.name;
+    const TestResult result = evaluated(project, test);
+    if (variable.name.starts_with("kl") || variable.name.starts_with("js")) {
+      EXPECT_THAT(result.text, HasSubstr("not defined here")) << variable.name;  // 1 cm steps are too coarse for densities
+    } else {
+      EXPECT_EQ(result.verdict, Verdict::Passed) << variable.name << ": " << result.text;
+    }
   }
 }
 
