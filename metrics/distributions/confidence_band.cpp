@@ -50,8 +50,8 @@ PBox confidenceBand(const Edf& edf, double alpha, const Interval& support) {
   right.reserve(edf.values().size() + 1);
   left.step(support.low, std::min(1.0, eps));
   for (std::size_t i = 0; i < edf.values().size(); ++i) {
-    left.step(edf.values()[i], std::min(1.0, edf.levels()[i] + eps));
-    right.step(edf.values()[i], std::max(0.0, edf.levels()[i] - eps));
+    left.step(edf.values()[i], std::min(1.0, edf.level(i) + eps));
+    right.step(edf.values()[i], std::max(0.0, edf.level(i) - eps));
   }
   right.step(support.high, 1.0);
   return PBox::fromEdges(std::move(left).build(), std::move(right).build());

@@ -58,7 +58,7 @@ std::vector<Step> pooledSteps(std::span<const Edf* const> parts, std::span<const
     if (weights[part] == 0.0) continue;
     const Edf& edf = *parts[part];
     for (std::size_t i = 0; i < edf.values().size(); ++i) {
-      steps.push_back({.value = edf.values()[i], .level = edf.levels()[i], .part = part});
+      steps.push_back({.value = edf.values()[i], .level = edf.level(i), .part = part});
     }
   }
   std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.value < b.value; });
