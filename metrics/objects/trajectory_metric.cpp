@@ -83,6 +83,7 @@ class GroupProgram {
     for (std::size_t k = 0; k < group.front()->gain.size(); ++k) {
       if (std::ranges::any_of(group, [k](const ClosePair* pair) { return pair->gain[k] > 0.0; })) steps_.push_back(k);
     }
+    mustNotBeTooLarge();
     addShares();
     addChanges(prices.half_a_switch);
     addSums(&ClosePair::measured);
@@ -95,6 +96,9 @@ class GroupProgram {
                                   static_cast<CoinBigIndex>(element_.size()));
     ClpSimplex simplex;
     simplex.setLogLevel(0);
+    simplex.scaling(0);  // all elements are 1 or -1
+    simplex.setPrimalTolerance(1e-9);
+    simplex.setDualTolerance(1e-9);
     simplex.loadProblem(matrix, column_low_.data(), column_high_.data(), objective_.data(), row_low_.data(),
                         row_high_.data());
     simplex.primal();  // W = 0 is feasible
@@ -107,6 +111,15 @@ class GroupProgram {
   }
 
  private:
+  void mustNotBeTooLarge() const {
+    if (group_.size() * steps_.size() <= kMostSharesOfTrackMetric) return;
+    throw core::InputError(
+        {.item = "tracks"},
+        fmt::format("come near each other in {} pairs over {} steps; the track metric takes at most {} pair-steps.",
+                    group_.size(), steps_.size(), kMostSharesOfTrackMetric),
+        "Take a smaller cut-off, fewer steps at once, or OSPA-T.");
+  }
+
   void addShares() {
     for (const ClosePair* pair : group_) {
       for (const std::size_t k : steps_) addColumn(1.0, -pair->gain[k]);

@@ -5,6 +5,10 @@
 
 namespace metrics {
 
+/// Most shares W (pairs of tracks that are ever nearer than c, times steps) of one group that trajectoryDistance takes:
+/// 40 x 40 tracks in one crowd over 125 steps. Its work grows about with the square of this.
+inline constexpr std::size_t kMostSharesOfTrackMetric = 200'000;
+
 struct TrajectoryOptions {
   SetOptions set;
   double switch_m = 1.0;  ///< gamma >= 0: what a switch of tracks costs; the default is ours
@@ -33,7 +37,7 @@ struct TrajectoryDistance {
 /// therefore be fractions, and are one choice among equals where several W are optimal. Grows with objects and steps.
 ///
 /// Tracks never nearer than c fall apart into groups, which are solved one by one (simplex method of COIN-OR CLP).
-/// Throws InputError if a number is invalid.
+/// Throws InputError if a number is invalid or a group is larger than the limit.
 /// Source: Rahmathullah, Garcia-Fernandez & Svensson 2016, arXiv:1605.01177; Garcia-Fernandez, Rahmathullah & Svensson
 /// 2020, doi:10.1109/TSP.2020.3005309.
 [[nodiscard]] TrajectoryDistance trajectoryDistance(const TrackSets& sets, const TrajectoryOptions& options = {});

@@ -49,18 +49,26 @@ TEST(TrajectoryDistance, ChargesOneSwitchForABrokenTrack) {
   EXPECT_NEAR(d.switches, 1.0, 1e-12);
 }
 
-// Two tracks 1.2 m apart for four steps; the simulated ones lie 1 m to the inside and exchange their roles after two.
-// Twice 0.2 m in each of the four steps: the simulated tracks are nearer to the other measured one. The exchange is two
-// switches.
+// Two tracks 1.2 m apart; the simulated ones lie 0.2 m inside and exchange their roles after two of four steps: two
+// switches, or the wrong partner, 1 m away, for half of the time.
 TEST(TrajectoryDistance, ChargesTwoSwitchesForAnExchange) {
   const TrackList measured{trackAlongX(0, {1, 1, 1, 1}, 4), trackAlongX(0, {2.2, 2.2, 2.2, 2.2}, 4)};
   const TrackList simulated{trackAlongX(0, {2, 2, 1.2, 1.2}, 4), trackAlongX(0, {1.2, 1.2, 2, 2}, 4)};
-  const TrajectoryDistance cheap = between(measured, simulated, {.set = kExample.set, .switch_m = 0.5});
-  EXPECT_NEAR(cheap.distance, 8 * 0.2 + 2 * 0.5, 1e-12);
+  const TrajectoryDistance cheap = between(measured, simulated, kExample);
+  EXPECT_NEAR(cheap.distance, 8 * 0.2 + 2.0, 1e-12);
   EXPECT_NEAR(cheap.switches, 2.0, 1e-12);
   const TrajectoryDistance dear = between(measured, simulated, {.set = kExample.set, .switch_m = 5.0});
-  EXPECT_NEAR(dear.distance, 4 * 0.2 + 4 * 1.0, 1e-12);  // rather keeps the wrong ones
+  EXPECT_NEAR(dear.distance, 4 * 0.2 + 4 * 1.0, 1e-12);
   EXPECT_NEAR(dear.switches, 0.0, 1e-12);
+}
+
+// On one side the measured track is broken, on the other the simulated one: either costs a switch.
+TEST(TrajectoryDistance, ChargesBrokenTracksOfBothSidesAlike) {
+  const TrackList measured{trackAlongX(0, kAtOne, 5), trackAlongX(0, {2.2, 2.2, 2.2}, 5),
+                           trackAlongX(3, {2.2, 2.2}, 5)};
+  const TrackList simulated{trackAlongX(0, {1.1, 1.1, 1.1}, 5), trackAlongX(3, {1.1, 1.1}, 5),
+                            trackAlongX(0, {2.1, 2.1, 2.1, 2.1, 2.1}, 5)};
+  EXPECT_NEAR(between(measured, simulated, kExample).distance, 10 * 0.1 + 2.0, 1e-12);
 }
 
 TEST(TrajectoryDistance, OfOneEmptySetChargesEveryStep) {
@@ -226,6 +234,12 @@ TEST(TrajectoryDistance, PartsAddUpAsPowers) {
     EXPECT_NEAR(d.distance * d.distance,
                 d.localisation * d.localisation + 4.5 * (d.missed + d.false_objects) + 0.49 * d.switches, 1e-9);
   }
+}
+
+TEST(TrajectoryDistance, RefusesACrowdThatIsTooLarge) {
+  const std::size_t steps = metrics::kMostSharesOfTrackMetric / 4 + 1;
+  const TrackList two(2, trackAlongX(0, std::vector<double>(steps, 0.0), steps));
+  EXPECT_THROW((void)between(two, two, kExample), core::InputError);
 }
 
 TEST(TrajectoryDistance, RefusesANegativePenalty) {
