@@ -42,7 +42,7 @@ std::vector<ClosePair> closePairs(const TrackSets& sets, const Prices& prices) {
         const double d = distance(*sets.measured[i].positions[k], *sets.simulated[j].positions[k]);
         if (d >= prices.cutoff_m) continue;
         gain[k] = prices.pair - std::pow(d, prices.order);
-        close = true;
+        close = close || gain[k] > 0.0;  // just below c rounding may leave no gain
       }
       if (close) pairs.push_back({.measured = i, .simulated = j, .gain = std::move(gain), .share = {}});
     }

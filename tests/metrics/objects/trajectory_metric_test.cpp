@@ -236,6 +236,16 @@ TEST(TrajectoryDistance, PartsAddUpAsPowers) {
   }
 }
 
+TEST(TrajectoryDistance, PairAtTheCutOffOrOneRoundingBelowIsNone) {
+  for (const double d : {5.0, std::nextafter(5.0, 0.0)}) {
+    for (const double order : {1.0, 1.1, 2.0, 7.0}) {
+      const TrajectoryDistance result =
+          between({trackAlongX(0, {0, 0}, 2)}, {trackAlongX(0, {d, d}, 2)}, {.set = {.order = order, .cutoff_m = 5.0}});
+      EXPECT_NEAR(result.distance, 5.0 * std::pow(2.0, 1.0 / order), 1e-12);
+    }
+  }
+}
+
 TEST(TrajectoryDistance, RefusesACrowdThatIsTooLarge) {
   const std::size_t steps = metrics::kMostSharesOfTrackMetric / 4 + 1;
   const TrackList two(2, trackAlongX(0, std::vector<double>(steps, 0.0), steps));
