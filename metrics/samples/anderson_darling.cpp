@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -96,11 +97,13 @@ double logUpperTail(double z) {
 }
 
 double sumOf(const Edf& sample, const Normal& normal, double (*log_upper)(double)) {
+  const std::span<const double> values = sample.values();
+  const std::span<const double> levels = sample.levels();
   Summation sum;
   double below = 0.0;
-  for (std::size_t i = 0; i < sample.values().size(); ++i) {
-    const double z = (sample.values()[i] - normal.mean) / normal.deviation;
-    const double p = sample.levels()[i];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double z = (values[i] - normal.mean) / normal.deviation;
+    const double p = levels[i];
     sum.add((p - below) * (p + below) * logUpperTail(-z));
     sum.add((p - below) * (2.0 - p - below) * log_upper(z));
     below = p;

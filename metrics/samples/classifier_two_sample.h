@@ -20,7 +20,8 @@ struct ClassifierOptions {
   std::uint64_t seed = 1;        ///< equal seeds give equal results
 };
 
-/// More points to classify than this are refused, not subsampled: some minutes.
+/// More points to classify than this are refused, not subsampled. 2 x 1e5 values take a second or two, 3-D
+/// points some times that.
 inline constexpr double kLargestClassification = 1e7;
 
 struct ClassifierTwoSample {
@@ -35,8 +36,8 @@ struct ClassifierTwoSample {
 /// samples of different size) is trained on some points and asked about others. Features are first divided by their
 /// pooled standard deviation, so units do not matter.
 ///
-///   train o x o o x x          test  ? -> k nearest: o o x -> "o"       accuracy = (share of o right + share of x
-///   right)/2
+///   train  o x o o x x        test  ?  ->  nearest 3: o o x  ->  "o"
+///   accuracy = (share of o told right + share of x told right) / 2
 ///
 /// Half split (default): the trained classifier cannot know the labels of the other half, so under equality any
 /// arrangement of these is equally likely, and the number of simulated points told right is hypergeometric: the p-value

@@ -1,6 +1,7 @@
 #include "metrics/samples/sample_values.h"
 
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/error.h"
@@ -16,8 +17,9 @@ std::vector<double> sampleValues(const Edf& edf, std::string_view side) {
   }
   std::vector<double> values;
   values.reserve(edf.n());
-  for (std::size_t i = 0; i < edf.values().size(); ++i) {
-    const auto reached = static_cast<std::size_t>(std::llround(edf.levels()[i] * edf.effectiveN()));
+  const std::span<const double> levels = edf.levels();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const auto reached = static_cast<std::size_t>(std::llround(levels[i] * edf.effectiveN()));
     values.resize(reached, edf.values()[i]);
   }
   return values;
