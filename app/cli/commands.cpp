@@ -8,6 +8,7 @@ void addEffectsCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
+void addPredictCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
 void addSpecCommand(CLI::App& program, Session& session);
@@ -17,8 +18,8 @@ void addSpecCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,   addCepraCommand, addSpecCommand,    addAcceptCommand,  addMetricCommand,
-      addSimulateCommand, addGapCommand,   addEffectsCommand, addSensorsCommand,
+      addImportCommand,  addCepraCommand,    addSpecCommand, addAcceptCommand,  addMetricCommand,
+      addPredictCommand, addSimulateCommand, addGapCommand,  addEffectsCommand, addSensorsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -2,24 +2,21 @@
 
 #include "metrics/area/area_metric.h"
 #include "metrics/distributions/p_box.h"
+#include "metrics/distributions/propagation.h"
 #include "metrics/prediction/prediction.h"
 
 namespace metrics {
 
-/// How far reality may lie beside the simulation for want of a perfect model, both >= 0. [unit of the measurand]
+/// Model-form uncertainty: how far reality may lie beside the simulation for want of a perfect model.
 ///
 ///   below  to smaller values: d-, by which the simulation is too high
 ///   above  to larger values:  d+, by which it is too low
-struct ModelFormUncertainty {
-  double below;
-  double above;
-};
-
-/// Each part on its side (Roy & Balch 2012).
-[[nodiscard]] ModelFormUncertainty modelFormOf(const AreaPortions& portions);
+///
+/// Each part on its side (Roy & Balch 2012):
+[[nodiscard]] Margin modelFormOf(const AreaPortions& portions);
 
 /// d_AVM on both sides (Roy & Oberkampf 2011).
-[[nodiscard]] ModelFormUncertainty modelFormOf(double area);
+[[nodiscard]] Margin modelFormOf(double area);
 
 /// Where there was no measurement: the upper bounds of d+ and d- for one more sample (the regression's prediction
 /// interval, as Roy & Oberkampf 2011 extrapolate d_AVM). Infinite without degrees of freedom: aggregate() refuses it.
@@ -27,13 +24,13 @@ struct PredictedPortions {
   const PredictedError& d_plus;
   const PredictedError& d_minus;
 };
-[[nodiscard]] ModelFormUncertainty modelFormOf(const PredictedPortions& portions);
+[[nodiscard]] Margin modelFormOf(const PredictedPortions& portions);
 
 /// What is known to be uncertain in a simulated result.
 struct Uncertainties {
-  const PBox& input;                ///< propagated through the model: aleatory shape, epistemic width
-  ModelFormUncertainty model_form;  ///< from validation
-  double numerical = 0.0;           ///< U_num >= 0: discretisation, sampling of rays, rounding
+  const PBox& input;       ///< propagated through the model: aleatory shape, epistemic width
+  Margin model_form;       ///< from validation
+  double numerical = 0.0;  ///< U_num >= 0: discretisation, sampling of rays, rounding
 };
 
 /// One box that holds them all, and how far it grew. Independent of the order in which they are appended.

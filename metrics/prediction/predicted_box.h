@@ -7,10 +7,6 @@
 
 namespace metrics {
 
-/// The box with its left edge moved by `below` to smaller and its right edge by `above` to larger values; both >= 0.
-/// Throws InputError if one is negative or not finite.
-[[nodiscard]] PBox widened(const PBox& box, double below, double above);
-
 /// What the simulation and its predicted error say of reality at one point.
 ///
 ///   expected   simulation moved by -d_bias, then widened by d_CAVM on either side

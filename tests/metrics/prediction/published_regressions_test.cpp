@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <optional>
 
 #include "metrics/prediction/prediction.h"
 
-// Regressions printed in Rosenberger 2023, Tab. 10-5 and 10-6: a line over the reference range, in brackets the 95 %
+// Regressions printed in Rosenberger 2023, ch. 10: a line over the reference range, in brackets the 95 %
 // bound of largest magnitude. The inputs are printed in millimetres, so each may be half a millimetre off, and with one
 // or two degrees of freedom that moves bounds far.
 namespace {

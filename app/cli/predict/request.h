@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/predict/validation_results.h"
+
+namespace app {
+
+/// What `fidelis predict` was asked for.
+struct PredictRequest {
+  std::string results;  ///< to learn from; empty if a saved prediction is asked
+  std::string with;     ///< the saved prediction
+  ResultColumns columns;
+  std::string test;  ///< of an acceptance report
+  std::string family = "auto";
+  std::size_t folds = 0;
+  std::optional<double> level;  ///< absent: 0.95, or as saved
+  std::vector<std::string> at;  ///< "range_m=12.4,angle_deg=30"
+  std::string at_file;
+  std::string held_out;
+  std::string save;
+  std::string json;
+};
+
+/// Throws InputError for options that contradict each other or leave nothing to do.
+void check(const PredictRequest& request);
+
+/// The points of --at and --at-file, in this order. Throws InputError that names the nearest parameter.
+[[nodiscard]] std::vector<std::vector<double>> queryPoints(const PredictRequest& request,
+                                                           const std::vector<std::string>& parameters);
+
+}  // namespace app
