@@ -76,7 +76,9 @@ GridEntry ofGrids(MetricInfo info, double (*compute)(const GridInput&)) {
 /// A metric of series on the ranges of the pixels with an echo in both images.
 ImageEntry ofSharedPixels(std::string_view series_name, const Retold& text) {
   const MetricOf<SeriesInput>& series = seriesMetric(series_name);
-  return {.info = retold(series.info, text, DataKind::RangeImage), .compute = [&series](const RangeImageInput& in) {
+  MetricInfo info = retold(series.info, text, DataKind::RangeImage);
+  info.meets = info.unit == MetricUnit::None ? "17" : "157";  // pixels with an echo on one side only do not count
+  return {.info = std::move(info), .compute = [&series](const RangeImageInput& in) {
             const SharedPixels shared(in.pair());
             if (shared.empty()) return Numbers{std::numeric_limits<double>::quiet_NaN()};
             return series.compute({.simulated = shared.simulated_m, .measured = shared.measured_m});
@@ -103,7 +105,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "-inf; -7.97 a cell with the usual clip",
                .unit = MetricUnit::Bit,
                .scale = Scale::Ratio,
-               .source = kMartin},
+               .source = kMartin,
+               .meets = "2"},
               [](const GridInput& in) { return mapScore(in.pair(), in.clip); }),
       ofGrids({.name = "map_score_per_cell",
                .title = "Map score per cell",
@@ -113,7 +116,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "-inf; -7.97 with the usual clip",
                .unit = MetricUnit::Bit,
                .scale = Scale::Ratio,
-               .source = kMartin},
+               .source = kMartin,
+               .meets = "27"},
               [](const GridInput& in) { return mapScorePerCell(in.pair(), in.clip); }),
       ofGrids({.number = 14,
                .name = "occupied_cells_ratio",
@@ -124,7 +128,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "0 or inf",
                .unit = MetricUnit::None,
                .scale = Scale::Ordinal,
-               .source = kRatio},
+               .source = kRatio,
+               .meets = "7"},
               [](const GridInput& in) { return occupiedCellsRatio(in.pair(), in.limits); }),
       ofGrids({.number = 15,
                .name = "free_cells_ratio",
@@ -135,7 +140,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "0 or inf",
                .unit = MetricUnit::None,
                .scale = Scale::Ordinal,
-               .source = kRatio},
+               .source = kRatio,
+               .meets = "7"},
               [](const GridInput& in) { return freeCellsRatio(in.pair(), in.limits); }),
       ofGrids({.number = 16,
                .name = "opd",
@@ -146,7 +152,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "inf",
                .unit = MetricUnit::Cells,
                .scale = Scale::Ordinal,
-               .source = kColours},
+               .source = kColours,
+               .meets = "27"},
               [](const GridInput& in) { return occupiedPictureDistance(in.pair(), in.limits); }),
       ofGrids({.number = 17,
                .name = "upd",
@@ -157,7 +164,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "inf",
                .unit = MetricUnit::Cells,
                .scale = Scale::Ordinal,
-               .source = kColours},
+               .source = kColours,
+               .meets = "27"},
               [](const GridInput& in) { return unoccupiedPictureDistance(in.pair(), in.limits); }),
       ofGrids({.number = 18,
                .name = "picture_distance",
@@ -168,7 +176,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "inf",
                .unit = MetricUnit::Cells,
                .scale = Scale::Ordinal,
-               .source = kBirk},
+               .source = kBirk,
+               .meets = "27"},
               [](const GridInput& in) { return pictureDistance(in.pair(), in.limits); }),
       baronCorrelation(),
       ofCells("pearson", {.meaning = "linear relation of the cells; NaN if a grid is constant"}),
@@ -181,7 +190,8 @@ std::vector<GridEntry> makeGridList() {
                .worst = "1",
                .unit = MetricUnit::None,
                .scale = Scale::Ordinal,
-               .source = "Jaccard 1912, doi:10.1111/j.1469-8137.1912.tb05611.x"},
+               .source = "Jaccard 1912, doi:10.1111/j.1469-8137.1912.tb05611.x",
+               .meets = "2347"},
               [](const GridInput& in) { return jaccardDistance(in.pair(), in.limits); }),
   };
 }
@@ -206,7 +216,8 @@ std::vector<ImageEntry> makeImageList() {
                 .worst = "inf",
                 .unit = MetricUnit::Cells,
                 .scale = Scale::Nominal,
-                .source = kBirk},
+                .source = kBirk,
+                .meets = "27"},
                [](const RangeImageInput& in) { return echoPictureDistance(in.pair()); }),
       ofSharedPixels("pearson", {.meaning = "linear relation of the ranges over pixels with an echo in both; "
                                             "NaN if there are none or a side is constant"}),
@@ -218,7 +229,8 @@ std::vector<ImageEntry> makeImageList() {
                 .worst = "1",
                 .unit = MetricUnit::None,
                 .scale = Scale::Nominal,
-                .source = kOurs},
+                .source = kOurs,
+                .meets = "17"},
                [](const RangeImageInput& in) { return existenceShares(in.pair()).measured_only; }),
       ofImages({.name = "simulated_only_pixels",
                 .title = "Share of pixels that only the simulation has",
@@ -228,7 +240,8 @@ std::vector<ImageEntry> makeImageList() {
                 .worst = "1",
                 .unit = MetricUnit::None,
                 .scale = Scale::Nominal,
-                .source = kOurs},
+                .source = kOurs,
+                .meets = "17"},
                [](const RangeImageInput& in) { return existenceShares(in.pair()).simulated_only; }),
   };
 }

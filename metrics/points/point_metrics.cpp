@@ -28,6 +28,7 @@ MetricOf<Input> hausdorffEntry() {
   MetricInfo about = info(8, "hausdorff", "Hausdorff distance", "distance of the farthest point to the other cloud");
   about.formula = "max(max_y min_x |y - x|, max_x min_y |x - y|)";
   about.source = "Huttenlocher et al. 1993, doi:10.1109/34.232073";
+  about.meets = "13457";
   return {.info = about, .compute = [](const Input& in) { return Numbers{hausdorff(in.clouds).distance()}; }};
 }
 
@@ -36,6 +37,7 @@ MetricOf<Input> directedHausdorffEntry() {
                           "distance of the farthest point of either cloud to the other");
   about.formula = "max_y min_x |y - x|; max_x min_y |x - y|";
   about.source = "Huttenlocher et al. 1993, doi:10.1109/34.232073";
+  about.meets = "157";
   return {.info = about,
           .shape = MetricShape::Object,
           .parts = {"of_simulated", "of_measured"},
@@ -50,6 +52,7 @@ MetricOf<Input> wassersteinEntry() {
                           "mean way to carry one cloud onto the other, exact, for at most 1000 points a side");
   about.formula = "min over plans f (sum_ij f_ij |x_i - y_j|^p)^(1/p)";
   about.source = "Villani 2009, doi:10.1007/978-3-540-71050-9, ch. 6";
+  about.meets = "123457";
   return {.info = about, .compute = [](const Input& in) {
             return Numbers{pointWassersteinDistance(in.clouds, in.options.wasserstein_order)};
           }};
@@ -60,6 +63,7 @@ MetricOf<Input> slicedWassersteinEntry() {
                           "Wasserstein distance along drawn lines, averaged; for any number of points");
   about.formula = "(mean over lines u of W_p(x.u, y.u)^p)^(1/p)";
   about.source = "Bonneel et al. 2015, doi:10.1007/s10851-014-0506-3";
+  about.meets = "23457";
   return {.info = about, .compute = [](const Input& in) {
             return Numbers{slicedWassersteinDistance(in.clouds, in.options.wasserstein_order, in.options.slices)};
           }};
@@ -70,6 +74,7 @@ MetricOf<Input> cloudToCloudEntry() {
                           "nearest-neighbour distances added up; grows with the number of points");
   about.formula = "sum_y min_x |y - x|; sum_x min_y |x - y|";
   about.source = "Rosenberger 2022, Tab. 4-3";
+  about.meets = "1235";
   return {.info = about,
           .shape = MetricShape::Object,
           .parts = {"of_simulated", "of_measured"},
@@ -84,6 +89,7 @@ MetricOf<Input> meanCloudToCloudEntry() {
                           "mean nearest-neighbour distance; does not grow with the number of points");
   about.formula = "mean_y min_x |y - x|; mean_x min_y |x - y|";
   about.source = "Dubuisson & Jain 1994, doi:10.1109/ICPR.1994.576361";
+  about.meets = "12357";
   return {.info = about,
           .shape = MetricShape::Object,
           .parts = {"of_simulated", "of_measured"},
@@ -98,6 +104,7 @@ MetricOf<Input> centreEntry() {
                           "distance between the mean points; blind to shape");
   about.formula = "|mean(y) - mean(x)|";
   about.source = "Rosenberger 2022, Tab. 4-3";
+  about.meets = "1457";
   return {.info = about, .compute = [](const Input& in) { return Numbers{centreOfGravityDistance(in.clouds)}; }};
 }
 
@@ -106,6 +113,7 @@ MetricOf<Input> boundingBoxEntry() {
                           "largest distance between equal faces of the boxes; signed differences of size and centre");
   about.formula = "max |face(y) - face(x)|; size(y) - size(x); centre(y) - centre(x)";
   about.source = "Rosenberger 2022, Tab. 4-3; parts and scalar are a choice of this program";
+  about.meets = "1457";
   return {.info = about,
           .shape = MetricShape::Object,
           .parts = {"face", "size_x", "size_y", "size_z", "centre_x", "centre_y", "centre_z"},
@@ -124,6 +132,7 @@ MetricOf<Input> pointCountEntry() {
   about.unit = MetricUnit::None;
   about.scale = Scale::Nominal;
   about.source = "none: a count";
+  about.meets = "17";
   return {.info = about, .compute = [](const Input& in) { return Numbers{pointCountRatio(in.clouds)}; }};
 }
 

@@ -279,6 +279,15 @@ TEST_F(MetricCommand, AMetricOfAnotherKindOfDataIsToldWhichKind) {
   EXPECT_THAT(run.messages, HasSubstr("Give --data series"));
 }
 
+// scripts/metric-table writes it there.
+TEST_F(MetricCommand, TheTableInTheDocsIsTheProgramsOwn) {
+  const ProgramRun run = runFidelis({"metric", "--list"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(core::readFile(test_support::sourceFolder() / "docs/metrics.md"), HasSubstr(run.out));
+  const json list = json::parse(runFidelis({"metric", "--list", "--json", "-"}).out);
+  EXPECT_GE(list.at("metrics").size(), 34u);
+}
+
 TEST_F(MetricCommand, CompressedFileGivesTheSameBytes) {
   const std::string plain = real();
   const std::string packed = (folder_ / "real.csv.gz").string();

@@ -68,6 +68,30 @@ TEST(MetricCatalog, AgreesWithTheWorkedExampleOfAnInterval) {
   EXPECT_THAT(value("wasserstein_1"), ElementsAre(3.5));
 }
 
+// Rosenberger 2022, Tab. 4-3 numbers its metrics from 1 to 34.
+TEST(MetricCatalog, HoldsEveryNumberOfTheTableOfMetrics) {
+  std::set<int> numbers;
+  for (const metrics::MetricInfo& info : metrics::allMetricInfos()) numbers.insert(info.number);
+  for (int number = 1; number <= 34; ++number) EXPECT_TRUE(numbers.contains(number)) << number;
+}
+
+TEST(MetricCatalog, EveryMetricSaysWhatAReaderMustKnow) {
+  for (const metrics::MetricInfo& info : metrics::allMetricInfos()) {
+    EXPECT_FALSE(info.title.empty() || info.meaning.empty() || info.formula.empty()) << info.name;
+    EXPECT_FALSE(info.best.empty() || info.worst.empty() || info.source.empty() || info.data.empty()) << info.name;
+    EXPECT_EQ(info.meets.find_first_not_of("1234567"), std::string_view::npos) << info.name;
+  }
+}
+
+TEST(MetricCatalog, AnIntervalScaleDoesNotAllowWhatAsksForARatio) {
+  metrics::MetricInfo info;
+  info.scale = metrics::Scale::Ratio;
+  EXPECT_TRUE(metrics::isMeaningful(info, metrics::scaleNamed("ratio")));
+  EXPECT_FALSE(metrics::isMeaningful(info, metrics::scaleNamed("interval")));
+  EXPECT_THAT([] { (void)metrics::scaleNamed("ordinl"); },
+              testing::ThrowsMessage<core::InputError>(testing::HasSubstr("nominal, ordinal, interval and ratio")));
+}
+
 TEST(MetricCatalog, UnknownNameIsToldTheNearest) {
   EXPECT_THAT([] { (void)metricNamed("d_bais"); },
               testing::ThrowsMessage<core::InputError>(testing::HasSubstr("Did you mean 'd_bias'?")));
