@@ -39,7 +39,9 @@ void addLearning(CLI::App& command, PredictRequest& request) {
   command.add_option("--family", request.family, "Shape of the function")
       ->check(CLI::IsMember({"auto", "constant", "linear", "quadratic", "exponential", "sigmoid"}))
       ->capture_default_str();
-  command.add_option("--folds", request.folds, "Folds of the cross-validation; 0: leave one set-up out")
+  command
+      .add_option("--folds", request.folds,
+                  "Folds of the cross-validation; 0: leave one set-up out, or 10 of more than 50 set-ups")
       ->capture_default_str();
   command.add_option("--setup", request.columns.setup, "Column of the set-up (default: setup, if there is one)");
   command.add_option("--role", request.columns.role, "Column of the role (default: role, if there is one)");

@@ -12,6 +12,8 @@ namespace metrics {
 
 namespace {
 
+constexpr std::size_t kMostLeftOutAlone = 50;
+
 /// Rows to learn from and rows to predict.
 struct Fold {
   ErrorSamples seen;
@@ -46,7 +48,8 @@ std::vector<Fold> foldsOf(const ErrorSamples& samples, std::size_t wanted) {
     throw core::InputError({.item = "folds"}, fmt::format("{} are asked for; 2 to {} are possible.", wanted, count),
                            "Give 0 to leave out one set-up at a time.");
   }
-  const std::size_t folds = wanted == 0 ? count : wanted;
+  const std::size_t usual = count > kMostLeftOutAlone ? 10 : count;
+  const std::size_t folds = wanted == 0 ? usual : wanted;
   std::vector<Fold> all;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<std::size_t> seen;

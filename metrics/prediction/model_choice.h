@@ -26,7 +26,7 @@ struct ModelChoice {
 
 struct ChoiceOptions {
   std::span<const Family> families = kFamilies;
-  std::size_t folds = 0;        ///< 0: as many as there are set-ups (rows without set-ups): leave one out
+  std::size_t folds = 0;        ///< 0: leave one set-up (row) out, or 10 folds of more than 50: time grows as n^2
   bool never_negative = false;  ///< predictions are cut at 0, as they will be
 };
 

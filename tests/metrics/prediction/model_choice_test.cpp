@@ -107,6 +107,15 @@ TEST(ModelChoice, ARowWithoutSetupIsItsOwn) {
   EXPECT_EQ(chooseFamily(samples, {.folds = 2}).folds, 2u);
 }
 
+TEST(ModelChoice, ManySamplesAreSplitIntoTen) {
+  std::vector<double> ranges;
+  for (int i = 0; i < 51; ++i) ranges.push_back(i);
+  const ErrorSamples samples = overRange(ranges, [](double x) { return 0.1 * x; });
+  const std::array families{Family::Linear};
+  EXPECT_EQ(chooseFamily(samples, {.families = families}).folds, 10u);
+  EXPECT_EQ(chooseFamily(samples, {.families = families, .folds = 51}).folds, 51u);
+}
+
 TEST(ModelChoice, IsTheSameEveryTime) {
   core::Random random({.seed = 12});
   const ErrorSamples samples =
