@@ -57,6 +57,10 @@ void runMetric(const MetricRequest& request, const Session& session) {
     throw core::InputError({.item = request.real.empty() ? "REAL" : "SIM"}, "is required.",
                            "Give a measured file and one simulated or more; fidelis metric --help shows examples.");
   }
+  if ((request.shapesBoxes() || !request.at_levels.empty() || !request.at_values.empty()) && request.data != "values") {
+    throw core::InputError({.item = "--data " + request.data}, "has no distributions to combine, widen or look up.",
+                           "These options are for --data values.");
+  }
   if (request.asksForChance() && request.data != "values") {
     throw core::InputError({.item = "--intervals, --floor, --half-width"}, "are for --data values only.",
                            "Compare a column of values, or leave them out.");
@@ -126,6 +130,39 @@ void addChoices(CLI::App& command, MetricRequest& request) {
   command.add_flag("--list", request.list,
                    "List every metric with number in the literature, formula, range and source");
   command.add_option("--json", request.json, "Write the results as JSON to this file (-: standard output)");
+}
+
+void addBoxOptions(CLI::App& command, MetricRequest& request) {
+  command
+      .add_option(
+          "--combine", request.combine,
+          "How several SIM files make one box: envelope (each file one epistemic choice, E-outer), a-outer (row "
+          "i of every file is the same aleatory sample) or mixture (shares are known)")
+      ->check(CLI::IsMember({"envelope", "a-outer", "mixture"}))
+      ->capture_default_str();
+  command.add_option("--shares", request.shares, "Shares of the SIM files in a mixture, a,b,c; without it all alike")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--weights", request.weights, "Column with the weight of each row, in every file");
+  command
+      .add_option("--sim-margin", request.simulated_margin,
+                  "What every simulated value may be off: its box is widened by +- this")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--real-margin", request.measured_margin,
+                  "What every measured value may be off: the measurement becomes a box, too")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--band", request.band,
+                  "Take for the measurement all distributions that it is consistent with at this risk, such as 0.05 "
+                  "(Dvoretzky-Kiefer-Wolfowitz)")
+      ->check(CLI::Range(1e-9, 0.999));
+  command
+      .add_option("--at-level", request.at_levels, "Tell the quantiles of both sides at this probability; repeatable")
+      ->check(CLI::Range(0.0, 1.0))
+      ->allow_extra_args(false);
+  command.add_option("--at-value", request.at_values, "Tell the share of both sides up to this value; repeatable")
+      ->allow_extra_args(false);
 }
 
 void addChanceOptions(CLI::App& command, MetricRequest& request) {
@@ -222,6 +259,7 @@ void addMetricCommand(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("metric", "Compare measured and simulated data: how far apart are they?");
   addFiles(*command, *request);
   addChoices(*command, *request);
+  addBoxOptions(*command, *request);
   addChanceOptions(*command, *request);
   command->footer(footer());
   command->callback([request, &session] {

@@ -234,6 +234,56 @@ TEST_F(MetricCommand, ObjectListsAndTracksComeFromTheSameColumns) {
   EXPECT_THAT(twice.messages, HasSubstr("twice.csv: has object 1 twice in frame 0"));
 }
 
+// Two runs with the values 0 and 3 in opposite rows have one EDF, so their envelope has no width; but if rows are the same
+// aleatory sample, each may be 0 or 3.
+TEST_F(MetricCommand, SeveralFilesMayBeCombinedInThreeWays) {
+  const std::string first = file("first.csv", "v\n0\n3\n");
+  const std::string second = file("second.csv", "v\n3\n0\n");
+  const std::string other = file("other.csv", "v\n1\n2\n");
+  const std::string measured = file("measured.csv", "v\n1\n2\n");
+  const auto area = [&](const std::string& with, std::vector<std::string> more) {
+    std::vector<std::string> words{"metric", measured, first, with, "--column", "v", "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return measurandOf(runFidelis(words));
+  };
+  EXPECT_EQ(area(second, {}).at("pbox_area"), 0.0);
+  EXPECT_DOUBLE_EQ(area(second, {"--combine", "a-outer"}).at("pbox_area").get<double>(), 3.0);
+  const json mixture = area(other, {"--combine", "mixture", "--shares", "3,1"});
+  EXPECT_EQ(mixture.at("pbox_area"), 0.0);
+  EXPECT_DOUBLE_EQ(mixture.at("d_bias").get<double>(), 0.0);  // both means are 1.5
+  EXPECT_DOUBLE_EQ(mixture.at("d_avm").get<double>(), 0.75);  // 0, 0, 0, 1 | 2, 3, 3, 3 against 1 | 2, by eighths
+  const ProgramRun uneven = runFidelis(
+      {"metric", measured, first, file("long.csv", "v\n1\n2\n3\n"), "--column", "v", "--combine", "a-outer"});
+  EXPECT_EQ(uneven.status, 2);
+  EXPECT_THAT(uneven.messages, HasSubstr("long.csv: has 3 rows"));
+}
+
+TEST_F(MetricCommand, MarginsBandsWeightsAndLookUpsShapeTheBoxes) {
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"metric", real(), simulated(), "--column", "range_m", "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return measurandOf(runFidelis(words));
+  };
+  // 5 m apart, each side known to some margin.
+  EXPECT_DOUBLE_EQ(run({"--sim-margin", "1"}).at("d_avm").get<double>(), 4.0);
+  EXPECT_DOUBLE_EQ(run({"--sim-margin", "1", "--real-margin", "1.5"}).at("d_avm").get<double>(), 2.5);
+  EXPECT_LT(run({"--band", "0.05"}).at("d_avm").get<double>(), 1.0);  // three values say little
+  const json look = run({"--sim-margin", "1", "--at-level", "0.5", "--at-value", "5"});
+  EXPECT_THAT(look.at("quantiles").at(0).at("real"), ElementsAre(1.0, 1.0));
+  EXPECT_THAT(look.at("quantiles").at(0).at("simulated"), ElementsAre(5.0, 7.0));
+  EXPECT_EQ(look.at("probabilities").at(0).at("simulated").at(0), 0.0);  // 6, 7, 9 at the right edge
+  EXPECT_DOUBLE_EQ(look.at("probabilities").at(0).at("simulated").at(1).get<double>(), 2.0 / 3.0);  // 4, 5, 7
+  const std::string weighted = file("weighted.csv", "v,w\n0,3\n4,1\n");
+  const std::string repeated = file("repeated.csv", "v,w\n0,1\n0,1\n0,1\n4,1\n");
+  const json same =
+      measurandOf(runFidelis({"metric", weighted, repeated, "--column", "v", "--weights", "w", "--json", "-"}));
+  EXPECT_EQ(same.at("d_avm"), 0.0);
+  const ProgramRun both =
+      runFidelis({"metric", real(), simulated(), "--column", "range_m", "--sim-margin", "1", "--floor"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.messages, HasSubstr("draw plain samples anew"));
+}
+
 // Two frames whose detections are equal: drawn by detection the mean seems known, drawn by frame it is not.
 TEST_F(MetricCommand, IntervalsAreDrawnByTheUnitOfChance) {
   std::string rows = "frame,range_m\n";

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "app/cli/metric/boxes.h"
 #include "app/cli/metric/chance.h"
 #include "app/cli/metric/compare.h"
 #include "core/csv.h"
-#include "metrics/distributions/p_box.h"
+#include "metrics/distributions/box_bounds.h"
 
 namespace app {
 
@@ -13,9 +14,10 @@ namespace {
 
 using Columns = std::vector<std::vector<double>>;
 
-/// The columns of one file, and the unit of each row if chance is asked for by units.
+/// The columns of one file, with the weight of each row and its unit of chance if they are asked for.
 struct File {
   Columns columns;
+  std::vector<double> weights;
   std::vector<std::uint32_t> units;
 };
 
@@ -35,7 +37,8 @@ std::vector<std::uint32_t> unitsOf(const std::string& file, const std::string& c
 }
 
 File readColumns(const std::string& file, const MetricRequest& request) {
-  File read{.columns = core::readNumericColumns(file, request.columns), .units = {}};
+  File read{.columns = core::readNumericColumns(file, request.columns), .weights = {}, .units = {}};
+  if (!request.weights.empty()) read.weights = core::readNumericColumns(file, std::vector{request.weights}).front();
   if (!request.chance_unit.empty()) read.units = unitsOf(file, request.chance_unit);
   if (read.columns.front().empty()) {
     throw core::InputError({.file = file}, "has a header and no rows; nothing can be compared.",
@@ -50,41 +53,57 @@ MeasurandResult emptyResult(const MetricRequest& request, std::size_t index) {
           .scale = request.scaleOfColumn(request.columns[index])};
 }
 
-ChanceSamples samplesOf(File& real, std::vector<File>& simulated, std::size_t index) {
-  ChanceSamples samples{.measured = {std::move(real.columns[index]), real.units}, .simulated = {}};
-  for (File& run : simulated) samples.simulated.push_back({std::move(run.columns[index]), run.units});
+ChanceSamples samplesOf(const File& real, const std::vector<File>& simulated, std::size_t index) {
+  ChanceSamples samples{.measured = {real.columns[index], real.units}, .simulated = {}};
+  for (const File& run : simulated) samples.simulated.push_back({run.columns[index], run.units});
   return samples;
 }
 
-/// Takes the numbers of column `index` out of the files.
+/// Takes the numbers of column `index` out of the file.
+ColumnValues taken(File& file, std::size_t index) { return {std::move(file.columns[index]), file.weights}; }
+
+void addLookUps(const Boxes& boxes, const MetricRequest& request, MeasurandResult& measurand) {
+  for (const double p : request.at_levels) {
+    measurand.look_ups.push_back(
+        {true, p, metrics::quantileInterval(boxes.simulated, p), metrics::quantileInterval(boxes.measured, p)});
+  }
+  for (const double x : request.at_values) {
+    measurand.look_ups.push_back(
+        {false, x, metrics::probabilityInterval(boxes.simulated, x), metrics::probabilityInterval(boxes.measured, x)});
+  }
+}
+
 MeasurandResult compareColumn(File& real, std::vector<File>& simulated, std::size_t index, const MetricRequest& request,
                               const Session& session, const MetricChoice<metrics::MetricInput>& choice) {
   MeasurandResult measurand = emptyResult(request, index);
-  ChanceSamples samples = samplesOf(real, simulated, index);
-  measurand.n_real = samples.measured.values.size();
-  std::vector<double> pooled;
-  std::vector<metrics::Edf> runs;
-  const bool keep = request.asksForChance();
-  for (ChanceSample& run : samples.simulated) {
-    measurand.n_sim.push_back(run.values.size());
-    if (simulated.size() > 1) pooled.insert(pooled.end(), run.values.begin(), run.values.end());
-    runs.emplace_back(keep ? run.values : std::move(run.values));
-  }
-  const metrics::Edf measured(keep ? samples.measured.values : std::move(samples.measured.values));
-  const metrics::PBox measured_box(measured);
-  const metrics::PBox box = metrics::PBox::envelope(runs);
-  if (simulated.size() > 1) runs = {metrics::Edf(std::move(pooled))};
-  const metrics::MetricInput input({.simulated = box, .measured = measured_box},
-                                   {.simulated = runs.front(), .measured = measured}, request.metricOptions());
+  measurand.n_real = real.columns[index].size();
+  for (const File& run : simulated) measurand.n_sim.push_back(run.columns[index].size());
+  ChanceSamples samples;
+  if (request.asksForChance()) samples = samplesOf(real, simulated, index);
+  std::vector<ColumnValues> runs;
+  for (File& run : simulated) runs.push_back(taken(run, index));
+  const Boxes boxes = boxesOf(taken(real, index), std::move(runs), request);
+  const metrics::MetricInput input({.simulated = boxes.simulated, .measured = boxes.measured},
+                                   {.simulated = boxes.pooled, .measured = boxes.measured_sample},
+                                   request.metricOptions());
   evaluate(choice, input, request, measurand);
+  addLookUps(boxes, request, measurand);
   addChance(samples, request, session, measurand);
   return measurand;
+}
+
+void mustFitTogether(const MetricRequest& request) {
+  if (!request.asksForChance() || !request.shapesBoxes()) return;
+  throw core::InputError({.item = "--intervals, --floor, --half-width"},
+                         "draw plain samples anew; they know no weights, margins, bands, mixtures or a-outer boxes.",
+                         "Ask for one or the other.");
 }
 
 }  // namespace
 
 std::vector<MeasurandResult> compareValues(const MetricRequest& request, const Session& session) {
   mustHaveColumns(request);
+  mustFitTogether(request);
   (void)MetricSettings(request, {});
   // A misspelt name is told before anything large is read.
   const auto choice = choiceOf(metrics::metricCatalog(), request);

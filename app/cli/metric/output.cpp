@@ -60,6 +60,17 @@ ordered_json intervalsOf(const MeasurandResult& measurand) {
   return intervals;
 }
 
+ordered_json jsonOf(const metrics::Interval& interval) { return {interval.low, interval.high}; }
+
+void addLookUpsTo(ordered_json& entry, const MeasurandResult& measurand) {
+  for (const LookUp& look_up : measurand.look_ups) {
+    entry[look_up.at_level ? "quantiles" : "probabilities"].push_back(
+        {{look_up.at_level ? "level" : "value", look_up.at},
+         {"real", jsonOf(look_up.measured)},
+         {"simulated", jsonOf(look_up.simulated)}});
+  }
+}
+
 /// What chance does to the results, as far as it was asked for.
 void addChanceTo(ordered_json& entry, const MeasurandResult& measurand) {
   const ordered_json intervals = intervalsOf(measurand);
@@ -77,6 +88,15 @@ void addChanceTo(ordered_json& entry, const MeasurandResult& measurand) {
   }
 }
 
+ordered_json boxOptionsOf(const MetricRequest& request) {
+  ordered_json options{{"combine", request.combine}, {"weights", request.weights}};
+  if (!request.shares.empty()) options["shares"] = request.shares;
+  options["sim_margin"] = request.simulated_margin;
+  options["real_margin"] = request.measured_margin;
+  if (request.band) options["band"] = *request.band;
+  return options;
+}
+
 ordered_json chanceOptionsOf(const MetricRequest& request) {
   return {{"intervals", request.intervals},
           {"unit", request.chance_unit},
@@ -91,6 +111,7 @@ ordered_json optionsOf(const MetricRequest& request) {
   ordered_json options{{"data", request.data}, {"shift", request.shift}, {"experiments", nullptr}};
   if (request.experiments) options["experiments"] = *request.experiments;
   if (!request.settings.empty()) options["set"] = request.settings;
+  if (request.shapesBoxes()) options["boxes"] = boxOptionsOf(request);
   if (request.asksForChance()) options["chance"] = chanceOptionsOf(request);
   return options;
 }
@@ -120,6 +141,19 @@ std::string intervalTitle(const MeasurandResult& measurand) {
     if (!result.intervals.empty()) return fmt::format("{:g} % interval", 100.0 * result.intervals.front().confidence);
   }
   return "";
+}
+
+std::string intervalText(const metrics::Interval& interval) {
+  if (interval.low == interval.high) return numberForReader(interval.low);
+  return fmt::format("[{}, {}]", numberForReader(interval.low), numberForReader(interval.high));
+}
+
+void writeLookUps(const MeasurandResult& measurand, std::ostream& out) {
+  for (const LookUp& look_up : measurand.look_ups) {
+    out << fmt::format("  {} {:g}: measured {}, simulated {}\n",
+                       look_up.at_level ? "quantile at level" : "share of values up to", look_up.at,
+                       intervalText(look_up.measured), intervalText(look_up.simulated));
+  }
 }
 
 /// Floors and repetitions, below the metrics.
@@ -186,6 +220,7 @@ ordered_json metricDocument(std::span<const MeasurandResult> measurands, const M
     entry["n_sim"] = measurand.n_sim;
     entry["scale"] = metrics::toString(measurand.scale);
     for (const MetricResult& result : measurand.results) entry[std::string(result.info.name)] = jsonOf(result);
+    addLookUpsTo(entry, measurand);
     addChanceTo(entry, measurand);
     for (const LeftOut& metric : measurand.left_out) entry["left_out"][std::string(metric.name)] = metric.reason;
     document["measurands"].push_back(std::move(entry));
@@ -215,6 +250,7 @@ void writeMetricTable(std::span<const MeasurandResult> measurands, std::ostream&
         out << fmt::format("    {:<{}} {:>24}\n", result.parts[i], width - 2, numberForReader(result.numbers[i]));
       }
     }
+    writeLookUps(measurand, out);
     writeChance(measurand, out);
     out << leftOutText(measurand);
   }

@@ -22,6 +22,14 @@ struct MetricRequest {
   std::vector<std::string> metrics;
   std::vector<std::string> scales;    ///< "ordinal", or "column=ordinal"
   std::vector<std::string> settings;  ///< "cut_off=2"
+  std::string combine = "envelope";   ///< of several SIM files: envelope (E-outer), a-outer, mixture
+  std::vector<double> shares;         ///< of the SIM files in a mixture
+  std::string weights;                ///< column with the weight of each row; "": all alike
+  double simulated_margin = 0.0;      ///< what every simulated value may be off
+  double measured_margin = 0.0;
+  std::optional<double> band;     ///< alpha: the measurement is its confidence band
+  std::vector<double> at_levels;  ///< quantiles to be told
+  std::vector<double> at_values;  ///< probabilities to be told
   std::string shift = "one";
   std::optional<double> experiments;
   std::size_t intervals = 0;  ///< bootstrap replicates; 0: no intervals
@@ -42,6 +50,10 @@ struct MetricRequest {
   /// Something is to be drawn anew: intervals, floors, repetitions.
   [[nodiscard]] bool asksForChance() const { return intervals > 0 || floor || !half_widths.empty(); }
   [[nodiscard]] std::vector<std::pair<std::string, double>> wantedHalfWidths() const;
+  /// The boxes are more than the envelope of plain runs against a plain sample.
+  [[nodiscard]] bool shapesBoxes() const {
+    return combine != "envelope" || !weights.empty() || simulated_margin > 0.0 || measured_margin > 0.0 || band;
+  }
 };
 
 /// Settings of the metrics of one kind of data, by name with their defaults. Throws InputError for a setting that is

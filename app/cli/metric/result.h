@@ -8,6 +8,7 @@
 #include "app/cli/metric/request.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "metrics/distributions/interval.h"
 #include "metrics/metric_catalog.h"
 #include "metrics/resampling/intervals.h"
 
@@ -40,6 +41,14 @@ struct RepetitionResult {
   double measured_share;  ///< of the variance, that repeating the measurement can lower; NaN if paired
 };
 
+/// What a p-box says at a level or at a value; both sides. low = high for a single distribution.
+struct LookUp {
+  bool at_level = false;  ///< true: quantiles at a level; false: probabilities at a value
+  double at = 0.0;
+  metrics::Interval simulated;
+  metrics::Interval measured;
+};
+
 /// A metric that these data do not allow, and why.
 struct LeftOut {
   std::string_view name;
@@ -55,6 +64,7 @@ struct MeasurandResult {
   metrics::Scale scale = metrics::Scale::Ratio;
   std::vector<MetricResult> results;
   std::vector<LeftOut> left_out;
+  std::vector<LookUp> look_ups;
   std::vector<FloorResult> floors;
   std::vector<RepetitionResult> repetitions;
 };
