@@ -59,6 +59,20 @@ TEST(IncludeDirections, EveryFolderIncludesOnlyWhatStandsBelowIt) {
   }
 }
 
+// What judges is blind to where samples come from: a metric must not read files, know detections or print.
+TEST(IncludeDirections, NoMetricKnowsAboutFilesScreensOrSensors) {
+  const std::set<std::string> allowed_of_core = {"core/error.h", "core/parallel.h", "core/progress.h", "core/random.h",
+                                                 "core/text.h"};
+  const std::set<std::string> refused = {"fstream", "iostream", "filesystem", "cstdio", "nlohmann/json.hpp"};
+  for (const auto& file : sourcesOf("metrics")) {
+    for (const std::string& include : includesOf(file)) {
+      EXPECT_TRUE(!include.starts_with("core/") || allowed_of_core.contains(include))
+          << file << " includes " << include;
+      EXPECT_FALSE(refused.contains(include)) << file << " includes " << include;
+    }
+  }
+}
+
 // A library is known to one folder (and to app/ for the screen), so that it can be replaced there.
 TEST(IncludeDirections, ThirdPartyLibrariesStayInTheirFolder) {
   const std::map<std::string, std::set<std::string>> home = {{"embree3", {"model"}},
@@ -70,6 +84,8 @@ TEST(IncludeDirections, ThirdPartyLibrariesStayInTheirFolder) {
                                                              {"tbb", {"core"}},
                                                              {"Random123", {"core"}},
                                                              {"hwy", {"metrics"}},
+                                                             {"nanoflann.hpp", {"metrics"}},
+                                                             {"coin", {"metrics"}},
                                                              {"muParser.h", {"acceptance", "specs"}},
                                                              {"CLI", {"app"}},
                                                              {"csv.h", {"core"}}};
