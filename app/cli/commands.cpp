@@ -9,6 +9,7 @@ void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
 void addPredictCommand(CLI::App& program, Session& session);
+void addSensitivityCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
 void addSpecCommand(CLI::App& program, Session& session);
@@ -18,8 +19,9 @@ void addSpecCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,  addCepraCommand,    addSpecCommand, addAcceptCommand,  addMetricCommand,
-      addPredictCommand, addSimulateCommand, addGapCommand,  addEffectsCommand, addSensorsCommand,
+      addImportCommand,      addCepraCommand,   addSpecCommand,     addAcceptCommand,
+      addMetricCommand,      addPredictCommand, addSimulateCommand, addGapCommand,
+      addSensitivityCommand, addEffectsCommand, addSensorsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -99,6 +99,11 @@ std::size_t SensitivityPlan::curveOf(std::size_t row) const {
   return method == SensitivityMethod::Fast ? 1 + row / (n * parameters.size()) : 1;
 }
 
+std::size_t rowCount(const SensitivityPlan& plan) {
+  const std::size_t k = plan.parameters.size();
+  return plan.n * (plan.method == SensitivityMethod::Sobol ? k + 2 : k * plan.curves);
+}
+
 SensitivityPlan sobolPlan(std::vector<UncertainParameter> parameters, std::size_t n, std::uint64_t seed) {
   check(parameters);
   if (n < 2) throw core::InputError({.item = "n"}, fmt::format("is {}.", n), "Give 64 or more, a power of two.");

@@ -44,6 +44,9 @@ struct SensitivityPlan {
   [[nodiscard]] std::size_t curveOf(std::size_t row) const;
 };
 
+/// How many runs a plan of this shape has, whether or not its rows are there.
+[[nodiscard]] std::size_t rowCount(const SensitivityPlan& plan);
+
 /// Rows of the Sobol' sequence (Boost.Random, directions of Joe & Kuo) after a random digital shift: the seed changes
 /// the points, not how evenly they lie. n should be a power of two: only then every half, quarter, … of each range has
 /// its share. Throws InputError for n < 2, no parameter, more than 1800 of them, a name twice, "A" or "B", or a range
