@@ -22,7 +22,8 @@ enum class IntervalMethod {
 };
 
 /// Sample quantile of ascending numbers at rank (B + 1) p, linear between neighbours, never outside of them.
-/// Source: Davison & Hinkley 1997, sec. 5.2 (rank); Hyndman & Fan 1996, doi:10.2307/2684934 (their type 6).
+/// Source: Davison & Hinkley 1997, Bootstrap Methods and their Application (rank); Hyndman & Fan 1996,
+/// doi:10.2307/2684934 (their type 6).
 [[nodiscard]] double replicateQuantile(std::span<const double> ascending, double p);
 
 /// Middle part of the replicates. Throws InputError unless 0 < confidence < 1 and there are two replicates at least.

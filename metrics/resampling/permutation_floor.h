@@ -35,7 +35,7 @@ struct FloorOptions {
 /// are exact for d_avm, and approximate for d_cavm: there the simulation is moved by -d_bias before, as a shift would
 /// else pass for scatter. A simulation that scatters too much raises this floor; judge thresholds by samplingFloor.
 /// Throws InputError as Exchange does, and without a run.
-/// Source: Good 2005, Permutation, Parametric and Bootstrap Tests of Hypotheses, ch. 3.
+/// Source: Good 2005, Permutation, Parametric and Bootstrap Tests of Hypotheses.
 [[nodiscard]] Floor permutationFloor(const UnitComparison& samples, const FloorOptions& options,
                                      core::Progress& progress);
 

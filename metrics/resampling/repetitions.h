@@ -26,7 +26,7 @@ struct Repetitions {
 ///
 /// with the chi-squared interval of s. Throws InputError if the pilot has fewer than two values or one that is not
 /// finite, or unless half_width > 0 and 0 < confidence < 1.
-/// Source: Snedecor & Cochran 1989, Statistical Methods, sec. 4.6.
+/// Source: Snedecor & Cochran 1989, Statistical Methods.
 [[nodiscard]] Repetitions repetitionsForMean(std::span<const double> pilot, double half_width, double confidence);
 
 /// For any figure of a comparison: the width of its bootstrap interval falls as 1/sqrt(number of units) if all sides

@@ -28,11 +28,11 @@ struct NgoGap {
 
 /// Simulation-to-reality gap over fidelity levels: the mean of the levels' means of value / maximum.
 ///
-///   level   of a radar model, in the paper's words                metrics
-///   I       object level                                          OSPA, 1 - IoU
-///   II      detections of an object                               RMSE of x and y, cardinality
-///   III     point clouds                                          1-Wasserstein, point pattern
-///   IV      single quantities                                     1-Wasserstein of r, azimuth, Doppler; number
+///   level   metrics taken for a radar model
+///   I       OSPA, 1 - IoU
+///   II      RMSE of x and y, cardinality
+///   III     1-Wasserstein, point pattern
+///   IV      1-Wasserstein of range, azimuth and Doppler, number of detections
 ///
 /// Every level weighs the same, however many metrics it has. The maxima are not fixed by the paper: they are inputs,
 /// and gaps with different maxima must not be compared. Similarities (1 is best) are to be given as 1 - value.

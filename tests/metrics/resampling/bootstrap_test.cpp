@@ -180,8 +180,8 @@ TEST(Bootstrap, ByFrameIsNotDeceivedByRepeatedDetections) {
       std::sqrt(10.0), 0.4);  // two widths of 1000 replicates, each good to about 4 %
 }
 
-// The variance of a mean of N / b moving blocks is that of the N - b + 1 block means, times b / N (Künsch 1989,
-// eq. 2.6 in other words). A random walk of frames, where single frames would give far too little.
+// The variance of a mean of N / b moving blocks is that of the N - b + 1 block means, times b / N (Künsch 1989). A
+// random walk of frames, where single frames would give far too little.
 TEST(Bootstrap, ByBlocksHasTheVarianceOfBlockMeans) {
   const std::size_t frames = 120;
   const std::size_t block = 12;
