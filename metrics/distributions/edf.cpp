@@ -243,9 +243,9 @@ Edf EdfBuilder::build(std::size_t n, double effective_n) && {
   return {std::move(values_), std::move(levels_), n, effective_n};
 }
 
-Edf EdfBuilder::equalSteps(std::vector<double> values) {
-  assert(!values.empty());
-  return {std::move(values), {}};
+Edf EdfBuilder::fromSteps(std::vector<double> values, std::vector<double> levels) {
+  assert(ascendAndDiffer(values) && (levels.empty() ? !values.empty() : levels.back() == 1.0));
+  return {std::move(values), std::move(levels)};
 }
 
 }  // namespace metrics

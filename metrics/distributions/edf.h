@@ -106,8 +106,8 @@ class EdfBuilder {
   /// `n` and `effective_n`: of the sample, if there is one.
   [[nodiscard]] Edf build(std::size_t n = 0, double effective_n = 0.0) &&;
 
-  /// The function that rises by the same height at each of these values, which ascend and differ.
-  [[nodiscard]] static Edf equalSteps(std::vector<double> values);
+  /// All steps at once: values ascend and differ, levels rise to 1; no levels mean equal steps.
+  [[nodiscard]] static Edf fromSteps(std::vector<double> values, std::vector<double> levels = {});
 
  private:
   std::vector<double> values_;

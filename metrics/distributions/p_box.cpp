@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <limits>
 #include <vector>
 
 #include "core/error.h"
@@ -18,13 +19,22 @@ Edf combined(const Edf& a, const Edf& b, Choose choose) {
   if (stepTogether(a, b)) {  // rank by rank; as the values of a and of b differ, so do the chosen ones
     std::vector<double> chosen(a.values().size());
     std::transform(a.values().begin(), a.values().end(), b.values().begin(), chosen.begin(), choose);
-    return EdfBuilder::equalSteps(std::move(chosen));
+    return EdfBuilder::fromSteps(std::move(chosen));
   }
-  EdfBuilder builder;
-  builder.reserve(std::max(a.values().size(), b.values().size()));
-  eachCommonLevel<2>(
-      {&a, &b}, [&](const CommonLevel<2>& at) { builder.step(choose(at.quantiles[0], at.quantiles[1]), at.level); });
-  return std::move(builder).build();
+  std::vector<double> values(a.values().size() + b.values().size());  // at most
+  std::vector<double> levels(values.size());
+  std::size_t steps = 0;
+  double last = std::numeric_limits<double>::quiet_NaN();  // differs from every value
+  eachCommonLevel<2>({&a, &b}, [&](const CommonLevel<2>& at) {
+    const double value = choose(at.quantiles[0], at.quantiles[1]);
+    steps += static_cast<std::size_t>(value != last);  // without a branch: at the same value the step grows
+    values[steps - 1] = value;
+    levels[steps - 1] = at.level;
+    last = value;
+  });
+  values.resize(steps);
+  levels.resize(steps);
+  return EdfBuilder::fromSteps(std::move(values), std::move(levels));
 }
 
 /// Folds pairs, pairs of pairs, …: n log k steps where one after the other would take n k. Minimum and maximum do
