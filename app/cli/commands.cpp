@@ -13,15 +13,16 @@ void addSensitivityCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
 void addSpecCommand(CLI::App& program, Session& session);
+void addValidityCommand(CLI::App& program, Session& session);
 
 // Each command adds itself: its options, its help, and a callback that calls one library function.
 
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,      addCepraCommand,   addSpecCommand,     addAcceptCommand,
-      addMetricCommand,      addPredictCommand, addSimulateCommand, addGapCommand,
-      addSensitivityCommand, addEffectsCommand, addSensorsCommand,
+      addImportCommand, addCepraCommand,       addSpecCommand,    addAcceptCommand,
+      addMetricCommand, addValidityCommand,    addPredictCommand, addSimulateCommand,
+      addGapCommand,    addSensitivityCommand, addEffectsCommand, addSensorsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -35,19 +35,26 @@ void addGlobalOptions(CLI::App& program, Session& session) {
   program.add_option("--seed", session.seed, "Seed of every random number; without it the model's own");
 }
 
-/// CLI11 says what is wrong; this adds what was probably meant.
+/// CLI11 says what is wrong; this adds what was probably meant, down to the sub-command.
 std::string hintFor(const CLI::App& program, int count, char** words) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-  }
+  const CLI::App* command = &program;
+  std::string so_far;  // "spec " once that is read
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     if (word.empty() || word[0] == '-') continue;
-    if (std::find(names.begin(), names.end(), word) != names.end()) return "";
-    const std::string nearest = core::nearestName(word, names);
-    return "There is no command '" + word + "'." + (nearest.empty() ? "" : " Did you mean 'fidelis " + nearest + "'?") +
-           "\n";
+    const auto known = command->get_subcommands([](const CLI::App*) { return true; });
+    if (known.empty()) return "";
+    std::vector<std::string> names;
+    for (const CLI::App* sub : known) names.push_back(sub->get_name());
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) {
+      const std::string nearest = core::nearestName(word, names);
+      if (nearest.empty() && command != &program) return "";  // may well be the value of an option
+      return "There is no command '" + so_far + word + "'." +
+             (nearest.empty() ? "" : " Did you mean 'fidelis " + so_far + nearest + "'?") + "\n";
+    }
+    command = known[static_cast<std::size_t>(found - names.begin())];
+    so_far += word + " ";
   }
   return "";
 }

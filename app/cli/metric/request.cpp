@@ -13,7 +13,20 @@ namespace app {
 
 namespace {
 
-/// From the suffix of the column's name; "" if it has none that is known.
+/// "NAME=2.5" of an option that takes such. Throws InputError for what is no number.
+std::pair<std::string, double> assignmentOf(const std::string& option, const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string name = text.substr(0, equals);
+  const std::string number = equals < text.size() ? text.substr(equals + 1) : "";
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc() && end == number.data() + number.size() && std::isfinite(value)) return {name, value};
+  throw core::InputError({.item = option + " " + text}, "gives no number.",
+                         "Write it as " + option + " " + name + "=2.5.");
+}
+
+}  // namespace
+
 std::string unitOfName(const std::string& column) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kUnits{{
       {"_m_s", "m/s"},
@@ -36,20 +49,6 @@ std::string unitOfName(const std::string& column) {
   }
   return "";
 }
-
-/// "NAME=2.5" of an option that takes such. Throws InputError for what is no number.
-std::pair<std::string, double> assignmentOf(const std::string& option, const std::string& text) {
-  const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string name = text.substr(0, equals);
-  const std::string number = equals < text.size() ? text.substr(equals + 1) : "";
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error == std::errc() && end == number.data() + number.size() && std::isfinite(value)) return {name, value};
-  throw core::InputError({.item = option + " " + text}, "gives no number.",
-                         "Write it as " + option + " " + name + "=2.5.");
-}
-
-}  // namespace
 
 metrics::MetricOptions MetricRequest::metricOptions() const {
   return {.shift = shift == "balanced" ? metrics::Shift::Balanced : metrics::Shift::One, .experiments = experiments};

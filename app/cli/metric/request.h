@@ -12,6 +12,9 @@
 
 namespace app {
 
+/// Unit of a column, from the suffix of its name (_m, _rad, …); "" if it has none that is known.
+[[nodiscard]] std::string unitOfName(const std::string& column);
+
 /// What `fidelis metric` was asked for.
 struct MetricRequest {
   std::string real;
