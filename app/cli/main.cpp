@@ -41,7 +41,8 @@ std::string hintFor(const CLI::App& program, int count, char** words) {
   std::string so_far;  // "spec " once that is read
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
-    if (word.empty() || word[0] == '-') continue;
+    double number = 0.0;
+    if (word.empty() || word[0] == '-' || core::parseNumber(word, number)) continue;  // "--threads 2"
     const auto known = command->get_subcommands([](const CLI::App*) { return true; });
     if (known.empty()) return "";
     std::vector<std::string> names;

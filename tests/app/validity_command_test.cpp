@@ -369,6 +369,8 @@ TEST_F(ValidityKs, RefusesToDecideAboutNothing) {
 TEST_F(ValidityCommand, NamesTheNearestSubCommand) {
   expectError(run({"lables", "a.csv"}),
               {"There is no command 'validity lables'. Did you mean 'fidelis validity labels'?"});
+  const ProgramRun after_option = runFidelis({"--threads", "2", "validity", "lables"});
+  EXPECT_THAT(after_option.messages, HasSubstr("There is no command 'validity lables'"));
   const ProgramRun help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* name : {"labels", "gap", "tolerance", "ks"}) EXPECT_THAT(help.out, HasSubstr(name));
