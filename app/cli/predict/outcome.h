@@ -29,7 +29,7 @@ struct Query {
 struct Outcome {
   std::vector<Answer> answers;  ///< one a target, all over the same parameters
   std::vector<Query> queries;
-  std::vector<LeftOut> left_out;
+  std::vector<UnusedSample> left_out;
   std::size_t setups = 0;  ///< fewer than n: rows share errors; 0: not known
 
   [[nodiscard]] const std::vector<std::string>& parameters() const {

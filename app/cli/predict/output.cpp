@@ -112,7 +112,7 @@ nlohmann::ordered_json documentOf(const Outcome& outcome, const PredictRequest& 
   document["options"] = {{"over", outcome.parameters()}, {"family", request.family}, {"folds", request.folds}};
   if (!request.columns.weight.empty()) document["options"]["weight"] = request.columns.weight;
   document["left_out"] = nlohmann::ordered_json::array();
-  for (const LeftOut& sample : outcome.left_out) {
+  for (const UnusedSample& sample : outcome.left_out) {
     document["left_out"].push_back({{"where", sample.where}, {"why", sample.why}});
   }
   document["predictions"] = nlohmann::ordered_json::array();
@@ -133,7 +133,7 @@ void writeTable(const Outcome& outcome, std::ostream& out) {
 }
 
 void writeRemarks(const Outcome& outcome, std::ostream& messages) {
-  for (const LeftOut& sample : outcome.left_out) {
+  for (const UnusedSample& sample : outcome.left_out) {
     messages << fmt::format("fidelis: {} is left out: {}.\n", sample.where, sample.why);
   }
   const std::size_t n = outcome.answers.front().prediction.regression.n;

@@ -19,7 +19,7 @@ struct ResultColumns {
 };
 
 /// A sample that was not used, and why.
-struct LeftOut {
+struct UnusedSample {
   std::string where;
   std::string why;
 };
@@ -29,7 +29,7 @@ struct ValidationResults {
   std::filesystem::path file;
   std::vector<metrics::ErrorSamples> seen;      ///< to learn from, one entry a target
   std::vector<metrics::ErrorSamples> held_out;  ///< role `prediction`; the same targets
-  std::vector<LeftOut> left_out;
+  std::vector<UnusedSample> left_out;
 
   [[nodiscard]] std::size_t size() const { return seen.front().size(); }
 };
