@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/predict/box_output.h"
 #include "app/cli/predict/output.h"
+#include "core/file.h"
 
 namespace app {
 
@@ -11,9 +13,10 @@ void runPredict(const PredictRequest& request, const Session& session) {
   const Outcome outcome = outcomeOf(request);
   if (!session.quiet) writeRemarks(outcome, session.messages);
   const auto document = documentOf(outcome, request);
+  if (!request.boxes.csv.empty()) core::writeFile(request.boxes.csv, edgesAsCsv(*outcome.boxes));
   if (!request.save.empty()) session.writeJsonTo(request.save, document);
   if (!request.json.empty()) session.writeJsonTo(request.json, document);
-  if (request.json.empty() && request.save != "-") writeTable(outcome, session.out);
+  if (request.json.empty() && request.save != "-") writeTable(outcome, request, session.out);
 }
 
 const char* const kFooter =
@@ -22,11 +25,16 @@ const char* const kFooter =
     "of one set-up together. d_cavm, d_avm, d_plus and d_minus are never predicted below 0.\n\n"
     "Families: constant, linear, quadratic, exponential (a + b exp(c x)), sigmoid. 'auto' takes the one that best\n"
     "predicts what it has not seen.\n\n"
+    "With --simulated, boxes of the values simulated at the one point of --at: the expected one, corrected by the\n"
+    "predicted d_bias and d_cavm, with its bound; and the aggregated one (input, model form, numerical part), not\n"
+    "corrected but widened, if d_plus and d_minus were predicted. The column is the measurand of the errors.\n\n"
     "Examples:\n"
     "  fidelis predict results.csv --over range_m --at range_m=12.4\n"
     "  fidelis predict results.csv --over range_m,angle_deg --for d_bias --family linear --save prediction.json\n"
     "  fidelis predict --with prediction.json --at range_m=20,angle_deg=30 --json -\n"
-    "  fidelis predict report.json --test EchoPulseWidthError_Fog_2 --over range_m --at-file queries.csv";
+    "  fidelis predict report.json --test EchoPulseWidthError_Fog_2 --over range_m --at-file queries.csv\n"
+    "  fidelis predict results.csv --over range_m --for d_bias,d_cavm,d_plus,d_minus --save prediction.json\n"
+    "  fidelis predict --with prediction.json --at range_m=40 --simulated sim-*.csv --column range_m --numerical 0.002";
 
 void addLearning(CLI::App& command, PredictRequest& request) {
   command.add_option("RESULTS", request.results, "Validation results: CSV, or a JSON report of 'fidelis accept'");
@@ -61,6 +69,32 @@ void addAsking(CLI::App& command, PredictRequest& request) {
   command.add_option("--json", request.json, "Write prediction and answers as JSON (-: standard output)");
 }
 
+void addBoxes(CLI::App& command, BoxRequest& request) {
+  CLI::Option* simulated = command.add_option("--simulated", request.simulated,
+                                              "Make boxes of what was simulated at the one point of --at: CSV files, "
+                                              "several make an envelope");
+  command.add_option("--column", request.column, "Column of the simulated values")->needs(simulated);
+  command
+      .add_option("--numerical", request.numerical,
+                  "Numerical uncertainty, appended to both edges of the aggregated box")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(simulated)
+      ->capture_default_str();
+  command
+      .add_option("--bounds", request.bounds,
+                  "What the bound of the expected box holds: the mean error (confidence), or one more sample")
+      ->check(CLI::IsMember({"confidence", "observation"}))
+      ->needs(simulated)
+      ->capture_default_str();
+  command
+      .add_option("--model-form", request.model_form,
+                  "What is appended to the aggregated box: d_minus below and d_plus above (portions), or d_avm on both "
+                  "sides (area); upper bounds for one more sample. Default: portions, if they were predicted")
+      ->check(CLI::IsMember({"portions", "area"}))
+      ->needs(simulated);
+  command.add_option("--box-csv", request.csv, "Write both edges of every box to this CSV file")->needs(simulated);
+}
+
 }  // namespace
 
 void addPredictCommand(CLI::App& program, Session& session) {
@@ -69,6 +103,7 @@ void addPredictCommand(CLI::App& program, Session& session) {
       program.add_subcommand("predict", "Predict the error of a simulation where nobody measured, with bounds");
   addLearning(*command, *request);
   addAsking(*command, *request);
+  addBoxes(*command, request->boxes);
   command->footer(kFooter);
   command->callback([request, &session] { runPredict(*request, session); });
 }

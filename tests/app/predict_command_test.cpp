@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/csv.h"
 #include "core/file.h"
 #include "tests/support/paths.h"
 #include "tests/support/program.h"
@@ -266,6 +267,202 @@ TEST_F(PredictCommand, NumberOfThreadsDoesNotChangeABit) {
   };
   EXPECT_EQ(bytes("1"), bytes("2"));
   EXPECT_THAT(bytes("1"), Not(IsEmpty()));
+}
+
+// Boxes (--simulated) --------------------------------------------------------------------------------------------
+
+class PredictedBoxes : public PredictCommand {
+ protected:
+  /// Learns a constant of every error and saves it. Ranges 10, 20, 30 m.
+  std::string saved(const std::string& targets, const std::string& rows) {
+    const std::string results = file("results.csv", "range_m," + targets + "\n" + rows);
+    const ProgramRun run = runFidelis({"predict", results, "--over", "range_m", "--for", targets, "--family",
+                                       "constant", "--save", path("prediction.json")});
+    EXPECT_EQ(run.status, 0) << run.messages;
+    return path("prediction.json");
+  }
+  /// Two runs; the second lies 0.25 to the right.
+  std::vector<std::string> simulated() {
+    return {file("sim-1.csv", "range_m\n40.5\n40\n41\n42\n"),
+            file("sim-2.csv", "range_m\n40.75\n40.25\n41.25\n42.25\n")};
+  }
+  ProgramRun ask(const std::string& saved, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"predict",    "--with",   saved,     "--at",
+                                   "range_m=25", "--column", "range_m", "--simulated"};
+    for (const std::string& sim : simulated()) words.push_back(sim);
+    words.insert(words.end(), more.begin(), more.end());
+    return runFidelis(words);
+  }
+  json boxes(const std::string& saved, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--json", "-"});
+    return documentOf(ask(saved, more)).at("boxes");
+  }
+};
+
+/// The box is the simulated one with its left edge moved by `left` and its right edge by `right`.
+void expectMoved(const json& boxes, const std::string& name, double left, double right) {
+  const std::vector<double> levels{0.05, 0.25, 0.5, 0.75, 0.95};
+  const std::vector<double> values{40.0, 40.0, 40.5, 41.0, 42.0};  // of the first run; the second is 0.25 higher
+  const json& box = boxes.at(name);
+  ASSERT_EQ(box.at("quantiles").size(), levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const json& quantile = box.at("quantiles").at(i);
+    EXPECT_EQ(quantile.at("level"), levels[i]);
+    EXPECT_NEAR(quantile.at("interval").at(0).get<double>(), values[i] + left, 1e-12) << name;
+    EXPECT_NEAR(quantile.at("interval").at(1).get<double>(), values[i] + 0.25 + right, 1e-12) << name;
+  }
+  EXPECT_NEAR(box.at("mean").at(0).get<double>(), 40.875 + left, 1e-12) << name;
+  EXPECT_NEAR(box.at("mean").at(1).get<double>(), 41.125 + right, 1e-12) << name;
+  EXPECT_NEAR(box.at("width").get<double>(), 0.25 + right - left, 1e-12) << name;
+}
+
+// Of three samples a constant has 2 degrees of freedom, whose quantile has a closed form: (2p - 1) / sqrt(2 p (1 - p)).
+const double kStudent2 = 0.95 / std::sqrt(2.0 * 0.975 * 0.025);
+
+TEST_F(PredictedBoxes, KnownOffsetIsTakenAway) {
+  const json all = boxes(saved("d_bias,d_cavm", "10,0.1,0\n20,0.1,0\n30,0.1,0\n"));
+  expectMoved(all, "simulated", 0.0, 0.0);
+  expectMoved(all, "expected", -0.1, -0.1);
+  expectMoved(all, "bound", -0.1, -0.1);  // three samples agree: nothing is left uncertain
+  EXPECT_EQ(all.at("extrapolation"), false);
+  EXPECT_EQ(all.at("n_sim"), json({4, 4}));
+  EXPECT_FALSE(all.contains("total"));
+  EXPECT_TRUE(all.at("model_form").is_null());
+}
+
+TEST_F(PredictedBoxes, ScatterWidensTheExpectedBoxOnBothSides) {
+  expectMoved(boxes(saved("d_bias,d_cavm", "10,-0.1,0.02\n20,-0.1,0.02\n30,-0.1,0.02\n")), "expected", 0.08, 0.12);
+}
+
+// Mean 0.2, standard deviation 0.1: the mean is known to t s / sqrt(3), one more sample to t s sqrt(4 / 3).
+TEST_F(PredictedBoxes, BoundTakesTheErrorsAtTheirBounds) {
+  const std::string prediction = saved("d_bias,d_cavm", "10,0.1,0.05\n20,0.2,0.05\n30,0.3,0.05\n");
+  const double mean = kStudent2 * 0.1 / std::sqrt(3.0);
+  const double one_more = kStudent2 * 0.1 * std::sqrt(4.0 / 3.0);
+  expectMoved(boxes(prediction), "bound", -0.2 - mean - 0.05, -0.2 + mean + 0.05);
+  const json wider = boxes(prediction, {"--bounds", "observation"});
+  expectMoved(wider, "bound", -0.2 - one_more - 0.05, -0.2 + one_more + 0.05);
+  expectMoved(wider, "expected", -0.25, -0.15);
+  EXPECT_EQ(wider.at("bounds"), "observation");
+}
+
+TEST_F(PredictedBoxes, AggregatedEdgesMoveByTheirPartsExactly) {
+  const std::string prediction = saved("d_plus,d_minus", "10,0.01,0.1\n20,0.01,0.1\n30,0.01,0.1\n");
+  const ProgramRun run = ask(prediction, {"--numerical", "0.002", "--json", "-"});
+  const json all = documentOf(run).at("boxes");
+  expectMoved(all, "with_model_form", -0.1, 0.01);
+  expectMoved(all, "total", -0.102, 0.012);
+  EXPECT_EQ(all.at("model_form").at("of"), "portions");
+  EXPECT_NEAR(all.at("model_form").at("below").get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(all.at("model_form").at("above").get<double>(), 0.01, 1e-12);
+  EXPECT_EQ(all.at("numerical"), 0.002);
+  EXPECT_FALSE(all.contains("expected"));
+  EXPECT_EQ(all.at("left_out").at(0).at("box"), "expected");
+  EXPECT_THAT(run.messages, HasSubstr("'expected' is left out: d_bias and d_cavm are not predicted"));
+  EXPECT_THAT(run.messages, HasSubstr("--for d_minus,d_plus,d_bias,d_cavm"));
+}
+
+TEST_F(PredictedBoxes, AreaIsAppendedOnBothSidesOnRequest) {
+  const std::string prediction = saved("d_bias,d_cavm,d_avm", "10,0,0,1.1\n20,0,0,1.2\n30,0,0,1.3\n");
+  const double most = 1.2 + kStudent2 * 0.1 * std::sqrt(4.0 / 3.0);
+  expectMoved(boxes(prediction, {"--model-form", "area"}), "total", -most, most);
+  const ProgramRun unasked = ask(prediction, {});
+  EXPECT_THAT(unasked.out, Not(HasSubstr("total")));
+  EXPECT_THAT(unasked.messages, HasSubstr("d_plus and d_minus are not predicted"));
+  EXPECT_THAT(unasked.messages, HasSubstr("--model-form area"));
+}
+
+TEST_F(PredictedBoxes, TableShowsEveryBoxAndMarksExtrapolation) {
+  const std::string prediction =
+      saved("d_bias,d_cavm,d_plus,d_minus", "10,0.5,0,0,0.5\n20,0.5,0,0,0.5\n30,0.5,0,0,0.5\n");
+  const std::string sim = file("sim.csv", "range_m\n50\n52\n");
+  const std::vector<std::string> words{"predict", "--with",   prediction, "--at",        "range_m=50", "--simulated",
+                                       sim,       "--column", "range_m",  "--numerical", "0.25"};
+  const ProgramRun run = runFidelis(words);
+  EXPECT_EQ(run.status, 0) << run.messages;
+  EXPECT_THAT(run.out, HasSubstr("Boxes of range_m at range_m=50, extrapolated: outside range_m"));
+  EXPECT_THAT(run.out, ContainsRegex("simulated +expected +bound +with model form +total"));
+  EXPECT_THAT(run.out, ContainsRegex("75 % +52 +51.5 +51.5 +\\[51.5, 52\\] +\\[51.25, 52.25\\]"));
+  EXPECT_THAT(run.out, ContainsRegex("mean +51 +50.5 "));
+  EXPECT_THAT(run.out, HasSubstr("model form: 0.5 below, 0 above: 95 % bounds of one more sample; numerical: 0.25"));
+  EXPECT_THAT(run.messages, IsEmpty());
+  std::vector<std::string> as_json = words;
+  as_json.insert(as_json.end(), {"--json", "-"});
+  const json document = documentOf(runFidelis(as_json));
+  EXPECT_EQ(document.at("boxes").at("extrapolation"), true);
+  EXPECT_THAT(document.at("boxes").at("outside"), ElementsAre("range_m"));
+  EXPECT_EQ(document.at("source").at("simulated").at(0).at("sha256").get<std::string>(), core::sha256OfFile(sim));
+}
+
+// Runs of 2 and 4 values: the edges step at 1/4, 1/2, 3/4 and 1.
+TEST_F(PredictedBoxes, EdgesAreWrittenAtEveryStep) {
+  const std::string prediction = saved("d_bias,d_cavm", "10,0.5,0.25\n20,0.5,0.25\n30,0.5,0.25\n");
+  const ProgramRun run = runFidelis({"predict", "--with", prediction, "--at", "range_m=25", "--column", "range_m",
+                                     "--simulated", file("two.csv", "range_m\n1\n2\n"),
+                                     file("four.csv", "range_m\n1\n3\n4\n5\n"), "--box-csv", path("edges.csv")});
+  EXPECT_EQ(run.status, 0) << run.messages;
+  EXPECT_THAT(
+      core::readFile(path("edges.csv")),
+      testing::StartsWith("p,simulated_left,simulated_right,expected_left,expected_right,bound_left,bound_right\n"
+                          "0.25,1,1,"));
+  const auto columns = core::readNumericColumns(
+      path("edges.csv"),
+      std::vector<std::string>{"p", "simulated_left", "simulated_right", "expected_left", "expected_right"});
+  EXPECT_THAT(columns[0], ElementsAre(0.25, 0.5, 0.75, 1.0));
+  EXPECT_THAT(columns[1], ElementsAre(1.0, 1.0, 2.0, 2.0));
+  EXPECT_THAT(columns[2], ElementsAre(1.0, 3.0, 4.0, 5.0));
+  // The fitted constants are means, rounded.
+  const auto near = [](double value) { return testing::DoubleNear(value, 1e-12); };
+  EXPECT_THAT(columns[3], ElementsAre(near(0.25), near(0.25), near(1.25), near(1.25)));
+  EXPECT_THAT(columns[4], ElementsAre(near(0.75), near(2.75), near(3.75), near(4.75)));
+}
+
+TEST_F(PredictedBoxes, WithoutDegreesOfFreedomThereIsNoBound) {
+  const std::string prediction = saved("d_bias,d_cavm,d_plus,d_minus", "20,0.1,0,0,0.1\n");
+  const ProgramRun run = ask(prediction, {"--json", "-"});
+  const json all = documentOf(run).at("boxes");
+  expectMoved(all, "expected", -0.1, -0.1);
+  EXPECT_FALSE(all.contains("bound"));
+  EXPECT_FALSE(all.contains("total"));
+  EXPECT_THAT(run.messages, HasSubstr("'bound' is left out"));
+  EXPECT_THAT(run.messages, HasSubstr("'total' is left out"));
+  EXPECT_THAT(run.messages, HasSubstr("no degrees of freedom"));
+}
+
+TEST_F(PredictedBoxes, SavedWithAPredictionTheyDoNotDisturbIt) {
+  const std::string prediction = saved("d_bias,d_cavm", "10,0.1,0\n20,0.1,0\n30,0.1,0\n");
+  EXPECT_EQ(ask(prediction, {"--save", path("again.json")}).status, 0);
+  EXPECT_EQ(boxes(path("again.json")).dump(), boxes(prediction).dump());
+}
+
+TEST_F(PredictedBoxes, WhatIsMissingOrWrongIsNamed) {
+  const auto expectError = [](const ProgramRun& run, const std::vector<std::string>& told) {
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.out, IsEmpty());
+    for (const std::string& text : told) EXPECT_THAT(run.messages, HasSubstr(text));
+  };
+  const std::string sim = simulated().front();
+  std::string prediction = saved("d_bias,d_cavm", "10,0.1,0\n20,0.1,0\n30,0.1,0\n");
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"predict", "--with", prediction};
+    words.insert(words.end(), more.begin(), more.end());
+    return runFidelis(words);
+  };
+  expectError(ask(prediction, {"--numerical", "-0.1"}), {"--numerical"});
+  expectError(ask(prediction, {"--bounds", "both"}), {"--bounds"});
+  expectError(ask(prediction, {"--at", "range_m=26"}), {"exactly one --at"});
+  expectError(run({"--held-out", path("results.csv"), "--simulated", sim, "--column", "range_m"}),
+              {"exactly one --at"});
+  expectError(run({"--at", "range_m=25", "--simulated", sim}), {"--column: is missing"});
+  expectError(run({"--at", "range_m=25", "--column", "range_m"}), {"--simulated"});
+  expectError(run({"--at", "range_m=25", "--simulated", sim, "--column", "rang_m"}),
+              {"sim-1.csv", "Did you mean 'range_m'?"});
+  expectError(run({"--at", "range_m=25", "--simulated", file("none.csv", "range_m\n"), "--column", "range_m"}),
+              {"none.csv: has a header and no rows"});
+  prediction = saved("d_bias", "10,0.1\n20,0.1\n30,0.1\n");
+  expectError(ask(prediction, {}), {"d_cavm is not predicted", "--for d_bias,d_cavm", "d_plus and d_minus are not"});
+  expectError(ask(prediction, {"--numerical", "0.1"}), {"--numerical", "d_plus and d_minus are not predicted"});
+  expectError(ask(prediction, {"--model-form", "area"}), {"--model-form area", "d_avm is not predicted"});
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ Outcome learnFromResults(const PredictRequest& request) {
   const ValidationResults results = isJson(request.results)
                                         ? readAcceptanceReport(request.results, request.columns, request.test)
                                         : readResultsTable(request.results, request.columns);
-  Outcome outcome{.answers = {}, .queries = {}, .left_out = results.left_out};
+  Outcome outcome{.answers = {}, .queries = {}, .boxes = {}, .left_out = results.left_out};
   outcome.setups = countSetups(results.seen.front());
   inFile(request.results, [&] {
     for (const metrics::ErrorSamples& samples : results.seen) outcome.answers.push_back(learn(samples, request));
@@ -109,12 +109,23 @@ void ask(Outcome& outcome, const PredictRequest& request) {
   }
 }
 
+NamedErrors errorsOf(const Outcome& outcome, const Query& query) {
+  NamedErrors errors;
+  for (std::size_t t = 0; t < query.errors.size(); ++t) {
+    errors.emplace(outcome.answers[t].prediction.target, query.errors[t]);
+  }
+  return errors;
+}
+
 }  // namespace
 
 Outcome outcomeOf(const PredictRequest& request) {
   check(request);
   Outcome outcome = request.with.empty() ? learnFromResults(request) : askSaved(request);
   ask(outcome, request);
+  if (!request.boxes.simulated.empty()) {
+    outcome.boxes = boxesAt(errorsOf(outcome, outcome.queries.front()), request.boxes);
+  }
   return outcome;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/predict/point_boxes.h"
 #include "app/cli/predict/request.h"
 #include "app/cli/predict/validation_results.h"
 #include "metrics/prediction/held_out.h"
@@ -29,6 +30,7 @@ struct Query {
 struct Outcome {
   std::vector<Answer> answers;  ///< one a target, all over the same parameters
   std::vector<Query> queries;
+  std::optional<PointBoxes> boxes;  ///< at the only query
   std::vector<UnusedSample> left_out;
   std::size_t setups = 0;  ///< fewer than n: rows share errors; 0: not known
 
@@ -37,7 +39,8 @@ struct Outcome {
   }
 };
 
-/// Learns from the results, or reads the saved prediction; checks it on held-out rows; asks it at every point.
+/// Learns from the results, or reads the saved prediction; checks it on held-out rows; asks it at every point;
+/// makes boxes of what was simulated there.
 [[nodiscard]] Outcome outcomeOf(const PredictRequest& request);
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <ostream>
 
+#include "app/cli/predict/box_output.h"
 #include "app/cli/predict/prediction_json.h"
 #include "core/file.h"
 #include "core/text.h"
@@ -24,13 +25,25 @@ std::vector<std::string> outsideOf(const Outcome& outcome, const PredictedError&
   return names;
 }
 
-nlohmann::ordered_json queryJson(const Outcome& outcome, const Query& query) {
+/// "" where samples were.
+std::string extrapolationOf(const Outcome& outcome, const PredictedError& error) {
+  if (error.outside != 0) return "outside " + core::join(outsideOf(outcome, error));
+  return error.outside_joint ? "no sample near this combination" : "";
+}
+
+/// Where, and whether samples were there.
+nlohmann::ordered_json pointJson(const Outcome& outcome, const Query& query) {
   nlohmann::ordered_json object;
   for (std::size_t k = 0; k < query.point.size(); ++k) object["at"][outcome.parameters()[k]] = query.point[k];
   const PredictedError& any = query.errors.front();  // where samples were is the same for all
   object["extrapolation"] = any.extrapolated();
   object["outside"] = outsideOf(outcome, any);
   object["outside_joint"] = any.outside_joint;
+  return object;
+}
+
+nlohmann::ordered_json queryJson(const Outcome& outcome, const Query& query) {
+  nlohmann::ordered_json object = pointJson(outcome, query);
   for (std::size_t t = 0; t < query.errors.size(); ++t) {
     object["errors"][outcome.answers[t].prediction.target] = toJson(query.errors[t]);
   }
@@ -45,6 +58,7 @@ nlohmann::ordered_json sourceJson(const PredictRequest& request) {
   nlohmann::ordered_json source = fileJson(request.with.empty() ? request.results : request.with);
   if (!request.test.empty()) source["test"] = request.test;
   if (!request.held_out.empty()) source["held_out"] = fileJson(request.held_out);
+  for (const std::string& file : request.boxes.simulated) source["simulated"].push_back(fileJson(file));
   return source;
 }
 
@@ -94,14 +108,28 @@ void writeQueries(const Outcome& outcome, std::ostream& out) {
   for (const Query& query : outcome.queries) {
     for (std::size_t t = 0; t < query.errors.size(); ++t) {
       const PredictedError& error = query.errors[t];
-      const std::string remark = error.outside != 0    ? "outside " + core::join(outsideOf(outcome, error))
-                                 : error.outside_joint ? "no sample near this combination"
-                                                       : "";
       out << fmt::format("  {:<30} {:<10} {:>10}  {:<24} {:<24} {}\n", pointForReader(outcome, query),
                          outcome.answers[t].prediction.target, shown(error.value), shown(error.confidence),
-                         shown(error.observation), remark);
+                         shown(error.observation), extrapolationOf(outcome, error));
     }
   }
+}
+
+nlohmann::ordered_json boxesJson(const Outcome& outcome, const PredictRequest& request) {
+  nlohmann::ordered_json object = pointJson(outcome, outcome.queries.front());
+  object["level"] = outcome.answers.front().prediction.level;
+  object.update(toJson(*outcome.boxes, request.boxes));
+  return object;
+}
+
+void writeBoxes(const Outcome& outcome, const PredictRequest& request, std::ostream& out) {
+  if (!outcome.boxes) return;
+  const Query& query = outcome.queries.front();
+  const std::string extrapolation = extrapolationOf(outcome, query.errors.front());
+  const std::string where =
+      pointForReader(outcome, query) + (extrapolation.empty() ? "" : ", extrapolated: " + extrapolation);
+  writeBoxTable(*outcome.boxes, request.boxes, {.where = where, .level = outcome.answers.front().prediction.level},
+                out);
 }
 
 }  // namespace
@@ -124,12 +152,14 @@ nlohmann::ordered_json documentOf(const Outcome& outcome, const PredictRequest& 
   }
   document["queries"] = nlohmann::ordered_json::array();
   for (const Query& query : outcome.queries) document["queries"].push_back(queryJson(outcome, query));
+  if (outcome.boxes) document["boxes"] = boxesJson(outcome, request);
   return document;
 }
 
-void writeTable(const Outcome& outcome, std::ostream& out) {
+void writeTable(const Outcome& outcome, const PredictRequest& request, std::ostream& out) {
   for (const Answer& answer : outcome.answers) writePrediction(answer, out);
   writeQueries(outcome, out);
+  writeBoxes(outcome, request, out);
 }
 
 void writeRemarks(const Outcome& outcome, std::ostream& messages) {
@@ -142,6 +172,7 @@ void writeRemarks(const Outcome& outcome, std::ostream& messages) {
         "fidelis: {} rows are of {} set-ups; bounds take rows as independent, so they are too narrow.\n", n,
         outcome.setups);
   }
+  if (outcome.boxes) writeBoxRemarks(*outcome.boxes, messages);
 }
 
 }  // namespace app

@@ -150,7 +150,8 @@ std::vector<Prediction> readPredictions(const std::filesystem::path& file) {
   object.expectFormat("fidelis-predict", 1);
   std::vector<Prediction> predictions;
   object.eachObject("predictions", [&](core::JsonObject& entry) { predictions.push_back(readPrediction(entry)); });
-  for (const char* key : {"fidelis_version", "source", "options", "left_out", "queries"}) (void)object.has(key);
+  for (const char* key : {"fidelis_version", "source", "options", "left_out", "queries", "boxes"})
+    (void)object.has(key);
   object.finish();
   if (predictions.empty()) object.fail("predictions", "is empty.", "Save the prediction again.");
   for (const Prediction& prediction : predictions) {

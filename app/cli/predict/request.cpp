@@ -44,6 +44,18 @@ std::vector<double> pointOf(const std::string& words, const std::vector<std::str
   return point;
 }
 
+void check(const BoxRequest& boxes, const PredictRequest& request) {
+  if (boxes.simulated.empty()) return;
+  if (boxes.column.empty()) {
+    throw core::InputError({.item = "--column"}, "is missing; it tells which values of the simulated files are meant.",
+                           "Name the measurand of the predicted errors: --column range_m.");
+  }
+  if (request.at.size() != 1 || !request.at_file.empty()) {
+    throw core::InputError({.item = "--simulated"}, "needs exactly one --at: the point at which this was simulated.",
+                           "Give one --at and no --at-file; ask for other points in calls of their own.");
+  }
+}
+
 }  // namespace
 
 void check(const PredictRequest& request) {
@@ -59,6 +71,7 @@ void check(const PredictRequest& request) {
     throw core::InputError({.item = "--with"}, "a saved prediction is there to be asked.",
                            "Add --at, --at-file or --held-out.");
   }
+  check(request.boxes, request);
   std::set<std::string> seen;
   for (const std::string& target : request.columns.targets) {
     if (!seen.insert(target).second) {

@@ -8,6 +8,16 @@
 
 namespace app {
 
+/// The boxes that are to be made of the values simulated at the point of --at.
+struct BoxRequest {
+  std::vector<std::string> simulated;  ///< files; empty: no boxes
+  std::string column;                  ///< of the simulated values
+  double numerical = 0.0;              ///< U_num >= 0 [unit of the column]
+  std::string bounds = "confidence";   ///< or "observation"
+  std::string model_form;              ///< "portions", "area"; empty: portions, if they were predicted
+  std::string csv;                     ///< file for the edges
+};
+
 /// What `fidelis predict` was asked for.
 struct PredictRequest {
   std::string results;  ///< to learn from; empty if a saved prediction is asked
@@ -20,6 +30,7 @@ struct PredictRequest {
   std::vector<std::string> at;  ///< "range_m=12.4,angle_deg=30"
   std::string at_file;
   std::string held_out;
+  BoxRequest boxes;
   std::string save;
   std::string json;
 };
