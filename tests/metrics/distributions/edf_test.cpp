@@ -32,7 +32,8 @@ TEST(Edf, MinusZeroAndZeroAreOneValue) { EXPECT_THAT(Edf({0.0, -0.0}).values(), 
 TEST(Edf, MinusZeroOfASampleThatAscendsBecomesZero) {
   const std::vector<std::vector<double>> samples{{-0.0, 1.0}, {-1.0, -0.0, 1.0}, {-0.0, 0.0, 1.0}, {-0.0}};
   for (const auto& sample : samples) {
-    for (const double x : Edf(sample).values()) EXPECT_FALSE(x == 0.0 && std::signbit(x));
+    const Edf edf(sample);
+    for (const double x : edf.values()) EXPECT_FALSE(x == 0.0 && std::signbit(x));
   }
 }
 
