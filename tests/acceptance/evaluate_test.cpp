@@ -207,7 +207,8 @@ TEST(ExpressionVariables, AreAllUnderstoodByAnExpression) {
     test.frames = 5;
     const TestResult result = evaluated(project, test);
     if (variable.name.starts_with("kl") || variable.name.starts_with("js")) {
-      EXPECT_THAT(result.text, HasSubstr("not defined here")) << variable.name;  // 1 cm steps are too coarse for densities
+      EXPECT_THAT(result.text, HasSubstr("not defined here"))
+          << variable.name;  // 1 cm steps are too coarse for densities
     } else {
       EXPECT_EQ(result.verdict, Verdict::Passed) << variable.name << ": " << result.text;
     }

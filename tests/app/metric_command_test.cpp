@@ -234,8 +234,8 @@ TEST_F(MetricCommand, ObjectListsAndTracksComeFromTheSameColumns) {
   EXPECT_THAT(twice.messages, HasSubstr("twice.csv: has object 1 twice in frame 0"));
 }
 
-// Two runs with the values 0 and 3 in opposite rows have one EDF, so their envelope has no width; but if rows are the same
-// aleatory sample, each may be 0 or 3.
+// Two runs with the values 0 and 3 in opposite rows have one EDF, so their envelope has no width; but if rows are the
+// same aleatory sample, each may be 0 or 3.
 TEST_F(MetricCommand, SeveralFilesMayBeCombinedInThreeWays) {
   const std::string first = file("first.csv", "v\n0\n3\n");
   const std::string second = file("second.csv", "v\n3\n0\n");

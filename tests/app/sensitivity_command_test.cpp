@@ -52,8 +52,8 @@ class SensitivityCommand : public testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     const ProgramRun design = runFidelis(words);
     EXPECT_EQ(design.status, 0) << design.messages;
-    const ProgramRun run = runFidelis({"sensitivity", "analyze", path("design.csv"), ishigamiOutputs(path("design.csv")),
-                                       "--column", "y", "--json", "-"});
+    const ProgramRun run = runFidelis({"sensitivity", "analyze", path("design.csv"),
+                                       ishigamiOutputs(path("design.csv")), "--column", "y", "--json", "-"});
     EXPECT_EQ(run.status, 0) << run.messages;
     return json::parse(run.out);
   }
@@ -122,8 +122,15 @@ class SensitivityOfTheLidar : public SensitivityCommand {
  protected:
   ProgramRun run(std::vector<std::string> options) {
     const std::filesystem::path demo = test_support::sourceFolder() / "resources" / "demo";
-    std::vector<std::string> words{"sensitivity",       "run",      (demo / "range-sweep").string(), "--model",
-                                   (demo / "model.json").string(), "--sample", "r10", "--n", "8"};
+    std::vector<std::string> words{"sensitivity",
+                                   "run",
+                                   (demo / "range-sweep").string(),
+                                   "--model",
+                                   (demo / "model.json").string(),
+                                   "--sample",
+                                   "r10",
+                                   "--n",
+                                   "8"};
     words.insert(words.end(), options.begin(), options.end());
     return runFidelis(words);
   }
@@ -146,8 +153,8 @@ TEST_F(SensitivityOfTheLidar, RangeIsThatOfTheTarget) {
 }
 
 TEST_F(SensitivityOfTheLidar, IsTheSameForAnyNumberOfThreads) {
-  const std::vector<std::string> options{"--column", "epw_m", "--vary",
-                                         "/materials/grey-board/reflectivity=0.1:0.9", "--json", "-"};
+  const std::vector<std::string> options{"--column", "epw_m", "--vary", "/materials/grey-board/reflectivity=0.1:0.9",
+                                         "--json",   "-"};
   std::vector<std::string> one = options;
   one.insert(one.end(), {"--threads", "1"});
   const ProgramRun first = run(one);
