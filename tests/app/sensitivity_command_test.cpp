@@ -152,6 +152,14 @@ TEST_F(SensitivityOfTheLidar, RangeIsThatOfTheTarget) {
   EXPECT_NEAR(values(mean, "total").at(1), 0.0, 0.01);
 }
 
+// The model names its profile; a number of the profile can be varied all the same. A stronger pulse is a wider echo.
+TEST_F(SensitivityOfTheLidar, ANumberOfANamedProfileCanBeVaried) {
+  const ProgramRun result =
+      run({"--column", "epw_m", "--vary", "/sensor/emitter/peak_power_w=20:60", "--replicates", "0", "--json", "-"});
+  ASSERT_EQ(result.status, 0) << result.messages;
+  EXPECT_GT(values(json::parse(result.out).at("outputs").at(0), "total").at(0), 0.5);
+}
+
 TEST_F(SensitivityOfTheLidar, IsTheSameForAnyNumberOfThreads) {
   const std::vector<std::string> options{"--column", "epw_m", "--vary", "/materials/grey-board/reflectivity=0.1:0.9",
                                          "--json",   "-"};
@@ -170,6 +178,7 @@ TEST_F(SensitivityOfTheLidar, SaysWhatCannotBeVaried) {
   EXPECT_THAT(messageFor("/materials/white-board/reflectivity=0.1:0.2"), HasSubstr("/materials/white-board"));
   EXPECT_THAT(messageFor("/effects/fog-attenuation/visibility_m=100:200"), HasSubstr("Switch the effect on"));
   EXPECT_THAT(messageFor("/effects/beam-divergence/no_such=1:2"), HasSubstr("no_such"));
+  EXPECT_THAT(messageFor("/sensor/emitter/no_such=1:2"), HasSubstr("Name a number below /sensor"));
   EXPECT_THAT(messageFor("/gates/0/margin_m=1:2"), HasSubstr("where nothing can be varied"));
   EXPECT_THAT(messageFor("/environment/visibility_m=100"), HasSubstr("POINTER=LOW:HIGH"));
   EXPECT_THAT(messageFor("/environment/visibility_m=200:100"), HasSubstr("range 200 to 100"));
