@@ -229,7 +229,8 @@ void addReadingHelp(Page& page) {
 }  // namespace
 
 std::string htmlReport(const RunResult& run) {
-  Page page("Acceptance report: " + run.project, fmt::format("{} acceptance tests", run.tests.size()));
+  Page page("Acceptance report: " + run.project,
+            fmt::format("{} acceptance test{}", run.tests.size(), run.tests.size() == 1 ? "" : "s"));
   addBanners(page, run);
   addSummary(page, run);
   for (const TestResult& test : run.tests) addTest(page, test);

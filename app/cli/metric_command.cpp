@@ -82,7 +82,7 @@ std::string footer() {
   for (const Kind& kind : kKinds) text += fmt::format("  {:<15} {}\n", metrics::toString(kind.kind), kind.files);
   text += "\nMetrics of values (fidelis metric --list shows those of all kinds, with formula and source):\n";
   for (const metrics::Metric& metric : metrics::metricCatalog()) {
-    text += fmt::format("  {:<22} {}\n", metric.info.name, metric.info.meaning);
+    text += fmt::format("  {:<24} {}\n", metric.info.name, metric.info.meaning);
   }
   return text +
          "\nExamples:\n"
@@ -181,9 +181,10 @@ void addChanceOptions(CLI::App& command, MetricRequest& request) {
   command.add_option("--confidence", request.confidence, "Of the intervals")
       ->check(CLI::Range(0.5, 0.9999))
       ->capture_default_str();
-  command.add_flag("--floor", request.floor,
-                   "What d_avm, d_cavm and the p-box's width are by chance alone at these numbers of values, and the "
-                   "p-values against it. No model can keep a threshold below the floor");
+  command.add_flag(
+      "--floor", request.floor,
+      "What d_avm and d_cavm of a perfect model are at these numbers of values (no model keeps a limit "
+      "below), and with both sides dealt out anew: their p-values, and the width that chance gives a p-box");
   command
       .add_option("--half-width", request.half_widths,
                   "METRIC=WIDTH: how many times the data are needed for an interval of +-WIDTH; may be repeated")
@@ -259,8 +260,8 @@ void addMetricCommand(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("metric", "Compare measured and simulated data: how far apart are they?");
   addFiles(*command, *request);
   addChoices(*command, *request);
-  addBoxOptions(*command, *request);
-  addChanceOptions(*command, *request);
+  addBoxOptions(*command->add_option_group("Boxes"), *request);
+  addChanceOptions(*command->add_option_group("Chance"), *request);
   command->footer(footer());
   command->callback([request, &session] {
     request->seed = session.seed.value_or(request->seed);

@@ -317,7 +317,8 @@ TEST_F(MetricCommand, TheFloorSaysWhatChanceAloneGives) {
   EXPECT_GT(v.at("floor").at("d_avm").at("median").get<double>(), 0.0);
   EXPECT_GE(v.at("floor").at("d_avm").at("quantile_95"), v.at("floor").at("d_avm").at("median"));
   const ProgramRun table = runFidelis({"metric", both, both, "--column", "v", "--floor", "--half-width", "d_bias=0.1"});
-  EXPECT_THAT(table.out, HasSubstr("floor of d_cavm by chance alone"));
+  EXPECT_THAT(table.out, HasSubstr("floor of d_cavm: a perfect model gives"));
+  EXPECT_GT(v.at("floor").at("d_cavm").at("perfect_model_median").get<double>(), 0.0);
   EXPECT_THAT(table.out, HasSubstr("d_bias to +-0.1:"));
   EXPECT_EQ(runFidelis({"metric", both, both, "--column", "v", "--half-width", "d_bias"}).status, 2);
   EXPECT_EQ(runFidelis({"metric", both, both, "--column", "v", "--data", "series", "--floor"}).status, 2);

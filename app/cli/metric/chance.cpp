@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <set>
 
 #include "metrics/resampling/bootstrap.h"
 #include "metrics/resampling/box_width_floor.h"
@@ -69,24 +70,36 @@ void addIntervals(const ChanceSamples& samples, const MetricRequest& request, co
 
 std::vector<metrics::UnitSample> runsOf(const ChanceSamples& samples) { return samples.view().simulated; }
 
+std::size_t unitCount(const ChanceSample& sample) {
+  if (sample.units.empty()) return sample.values.size();
+  return std::set<std::uint32_t>(sample.units.begin(), sample.units.end()).size();
+}
+
 void addFloor(const ChanceSamples& samples, const MetricRequest& request, const Session& session,
               MeasurandResult& measurand) {
   const metrics::FloorOptions options{.shift = request.metricOptions().shift, .seed = request.seed};
   const metrics::Floor floor = metrics::permutationFloor(samples.view(), options, session.progress);
-  const metrics::MetricOptions metric_options = request.metricOptions();
-  const auto line = [&](std::string_view name, const metrics::NullDistribution& null) {
+  std::vector<std::size_t> run_units;
+  for (const ChanceSample& run : samples.simulated) run_units.push_back(unitCount(run));
+  const metrics::Floor perfect = metrics::samplingFloor(samples.measured.view(), run_units, options, session.progress);
+  const auto line = [&](std::string_view name, std::optional<double> perfect_median,
+                        const metrics::NullDistribution& null) {
     const auto result = std::find_if(measurand.results.begin(), measurand.results.end(),
                                      [&](const MetricResult& r) { return r.info.name == name; });
-    FloorResult floor_line{.name = name, .median = null.median(), .high = null.quantile(0.95), .p_value = std::nullopt};
+    FloorResult floor_line{.name = name,
+                           .perfect_median = perfect_median,
+                           .median = null.median(),
+                           .high = null.quantile(0.95),
+                           .p_value = std::nullopt};
     if (result != measurand.results.end()) {
       floor_line.p_value = metrics::permutationPValue(result->numbers.front(), null);
     }
     measurand.floors.push_back(floor_line);
   };
-  line("d_avm", floor.area);
-  line(metric_options.shift == metrics::Shift::One ? "d_cavm" : "d_cavm_balanced", floor.scatter);
+  line("d_avm", perfect.area.median(), floor.area);
+  line(options.shift == metrics::Shift::One ? "d_cavm" : "d_cavm_balanced", perfect.scatter.median(), floor.scatter);
   if (samples.simulated.size() < 2) return;
-  line("pbox_area", metrics::boxWidthFloor(runsOf(samples), {.seed = request.seed}, session.progress));
+  line("pbox_area", std::nullopt, metrics::boxWidthFloor(runsOf(samples), {.seed = request.seed}, session.progress));
 }
 
 void addRepetitions(const ChanceSamples& samples, const MetricRequest& request, const Session& session,

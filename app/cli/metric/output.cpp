@@ -77,7 +77,9 @@ void addChanceTo(ordered_json& entry, const MeasurandResult& measurand) {
   if (!intervals.empty()) entry["intervals"] = intervals;
   for (const FloorResult& floor : measurand.floors) {
     ordered_json& line = entry["floor"][std::string(floor.name)];
-    line = {{"median", floor.median}, {"quantile_95", floor.high}, {"p_value", nullptr}};
+    line = {
+        {"perfect_model_median", nullptr}, {"median", floor.median}, {"quantile_95", floor.high}, {"p_value", nullptr}};
+    if (floor.perfect_median) line["perfect_model_median"] = *floor.perfect_median;
     if (floor.p_value) line["p_value"] = *floor.p_value;
   }
   for (const RepetitionResult& needed : measurand.repetitions) {
@@ -159,7 +161,10 @@ void writeLookUps(const MeasurandResult& measurand, std::ostream& out) {
 /// Floors and repetitions, below the metrics.
 void writeChance(const MeasurandResult& measurand, std::ostream& out) {
   for (const FloorResult& floor : measurand.floors) {
-    out << fmt::format("  floor of {} by chance alone: {} (median), {} (95 %){}\n", floor.name,
+    const std::string perfect = floor.perfect_median ? fmt::format("a perfect model gives {} (median); ",
+                                                                   numberForReader(*floor.perfect_median))
+                                                     : "";
+    out << fmt::format("  floor of {}: {}both sides dealt out anew {} (median), {} (95 %){}\n", floor.name, perfect,
                        numberForReader(floor.median), numberForReader(floor.high),
                        floor.p_value ? fmt::format("; p = {}", core::significant(*floor.p_value, 2)) : "");
   }

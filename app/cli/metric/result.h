@@ -26,8 +26,9 @@ struct MetricResult {
 /// What a metric is by chance alone, at these numbers of values.
 struct FloorResult {
   std::string_view name;
-  double median;
-  double high;  ///< 95 % of chance stays below
+  std::optional<double> perfect_median;  ///< of a model that draws from the measured distribution: limits below fail
+  double median;                         ///< of both sides dealt out anew; judges what was observed
+  double high;                           ///< 95 % of chance stays below
   std::optional<double> p_value;
 };
 
