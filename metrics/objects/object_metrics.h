@@ -12,6 +12,7 @@ namespace metrics {
 struct ObjectOptions {
   SetOptions set;                ///< order p, cut-off c
   double label_m = 2.5;          ///< OSPA-T: what a wrong label costs, at most c
+  double piece_m = 2.5;          ///< OSPA-MT: what a step of a further piece of a broken track costs, at most c
   double switch_m = 1.0;         ///< track metric: gamma, what a switch costs
   double least_existence = 0.0;  ///< objects of smaller probability are no part of a list
 };

@@ -56,17 +56,16 @@ std::vector<Row> readRows(const std::string& file) {
 metrics::ObjectOptions optionsOf(const MetricSettings& settings) {
   return {.set = {.order = settings["order"], .cutoff_m = settings["cut_off_m"]},
           .label_m = settings["label_m"],
+          .piece_m = settings["piece_m"],
           .switch_m = settings["switch_m"],
           .least_existence = settings["least_existence"]};
 }
 
 std::map<std::string, double> defaults() {
   const metrics::ObjectOptions options;
-  return {{"order", options.set.order},
-          {"cut_off_m", options.set.cutoff_m},
-          {"label_m", options.label_m},
-          {"switch_m", options.switch_m},
-          {"least_existence", options.least_existence}};
+  return {{"order", options.set.order},   {"cut_off_m", options.set.cutoff_m},
+          {"label_m", options.label_m},   {"piece_m", options.piece_m},
+          {"switch_m", options.switch_m}, {"least_existence", options.least_existence}};
 }
 
 std::vector<metrics::Object> objectsOf(const std::vector<Row>& rows, double frame) {
