@@ -71,7 +71,8 @@ double variance(const Values& values) {
 // quantile at level p is sqrt(p (1 - p) / B) / density: below 1.2 at the lower and 2.6 at the upper ends for B = 20000.
 TEST(Bootstrap, ReproducesTheSpatialTestOfEfronAndTibshirani) {
   const Values a{48, 36, 20, 29, 42, 42, 20, 42, 22, 41, 45, 14, 6, 0, 33, 28, 34, 4, 32, 24, 47, 41, 24, 26, 30, 41};
-  const UnitComparison samples = singles({0.0, 1.0}, a);
+  const Values unread{0.0, 1.0};
+  const UnitComparison samples = singles(unread, a);
   const ConfidenceInterval percentile = intervalOf(samples, measuredVariance, {.replicates = 20000, .confidence = 0.9});
   EXPECT_NEAR(percentile.estimate, 171.53402366863904, 1e-10);
   EXPECT_NEAR(percentile.low, 97.79, 2.0);
