@@ -22,10 +22,10 @@ struct File {
 };
 
 /// Numbers 0, 1, 2, … of frames or set-ups.
-std::vector<std::uint32_t> unitsOf(const std::string& file, const std::string& column) {
-  const std::vector<std::vector<double>> columns = core::readNumericColumns(file, std::vector{column});
+std::vector<std::uint32_t> unitsOf(const std::vector<double>& values, const std::string& file,
+                                   const std::string& column) {
   std::vector<std::uint32_t> units;
-  for (const double value : columns.front()) {
+  for (const double value : values) {
     if (value < 0.0 || value != std::floor(value) || value > std::numeric_limits<std::uint32_t>::max()) {
       throw core::InputError({.file = file, .item = "column '" + column + "'"},
                              fmt::format("{} is no number of a frame or set-up.", value),
@@ -36,10 +36,20 @@ std::vector<std::uint32_t> unitsOf(const std::string& file, const std::string& c
   return units;
 }
 
+/// Takes the last column; the file is read once for all of them.
+std::vector<double> takenLast(Columns& columns) {
+  std::vector<double> last = std::move(columns.back());
+  columns.pop_back();
+  return last;
+}
+
 File readColumns(const std::string& file, const MetricRequest& request) {
-  File read{.columns = core::readNumericColumns(file, request.columns), .weights = {}, .units = {}};
-  if (!request.weights.empty()) read.weights = core::readNumericColumns(file, std::vector{request.weights}).front();
-  if (!request.chance_unit.empty()) read.units = unitsOf(file, request.chance_unit);
+  std::vector<std::string> names = request.columns;
+  if (!request.weights.empty()) names.push_back(request.weights);
+  if (!request.chance_unit.empty()) names.push_back(request.chance_unit);
+  File read{.columns = core::readNumericColumns(file, names), .weights = {}, .units = {}};
+  if (!request.chance_unit.empty()) read.units = unitsOf(takenLast(read.columns), file, request.chance_unit);
+  if (!request.weights.empty()) read.weights = takenLast(read.columns);
   if (read.columns.front().empty()) {
     throw core::InputError({.file = file}, "has a header and no rows; nothing can be compared.",
                            "Check the export, or leave the file out.");
