@@ -34,12 +34,7 @@ void check(std::span<const double> outputs, std::size_t parameters, std::size_t 
                     outputs.size(), parameters, n, curves),
         "Give one output for each row of the plan, in its order.");
   }
-  for (std::size_t row = 0; row < outputs.size(); ++row) {
-    if (std::isfinite(outputs[row])) continue;
-    throw core::InputError({.item = fmt::format("output {}", row + 1)},
-                           fmt::format("is {}; indices need finite numbers.", outputs[row]),
-                           "Narrow the ranges until the model gives an output everywhere.");
-  }
+  mustBeFinite(outputs);
 }
 
 struct BlockIndices {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace metrics {
@@ -23,5 +24,8 @@ struct SensitivityResult {
   double variance;                               ///< [its unit squared]
   std::vector<ParameterSensitivity> parameters;  ///< in the order of the plan
 };
+
+/// Throws InputError that names the row (from 1) of an output that is not finite.
+void mustBeFinite(std::span<const double> outputs);
 
 }  // namespace metrics
