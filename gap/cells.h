@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/detections.h"
-#include "model/geometry_pass.h"
-#include "model/scene.h"
-#include "model/signal_chain.h"
+#include "model/geometry/geometry_pass.h"
+#include "model/scene/scene.h"
+#include "model/signal/signal_chain.h"
 
 namespace gap {
 

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "model/triangles.h"
+#include "model/scene/triangles.h"
 
 namespace model {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/detections.h"
-#include "model/scene.h"
-#include "model/sensor_profile.h"
+#include "model/scene/scene.h"
+#include "model/sensor/sensor_profile.h"
 
 namespace model {
 

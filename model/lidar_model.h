@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/effect.h"
+#include "model/effects/effect.h"
 
 namespace model {
 

@@ -6,7 +6,7 @@
 #include "core/progress.h"
 #include "model/experiment.h"
 #include "model/lidar_model.h"
-#include "model/signal_chain.h"
+#include "model/signal/signal_chain.h"
 
 namespace model {
 

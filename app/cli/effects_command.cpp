@@ -5,7 +5,7 @@
 #include "app/cli/commands.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "model/effect.h"
+#include "model/effects/effect.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "core/file.h"
-#include "model/beams.h"
+#include "model/sensor/beams.h"
 
 namespace app {
 

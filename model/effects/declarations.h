@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/effect.h"
+#include "model/effects/effect.h"
 
 namespace model::effects {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "model/effects/declarations.h"
-#include "model/scene.h"
+#include "model/scene/scene.h"
 
 namespace model::effects {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/error.h"
-#include "model/sensor_profile.h"
+#include "model/sensor/sensor_profile.h"
 
 namespace app {
 

@@ -1,0 +1,110 @@
+#include "model/scene/triangles.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/mesh.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/file.h"
+
+namespace model {
+
+namespace {
+
+Triangles quad(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  return {{a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+Triangles boxTriangles(const Vector3& size) {
+  Triangles triangles;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) triangles.vertices.push_back({x * size[0], y * size[1], z * size[2]});
+    }
+  }
+  triangles.faces = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return triangles;
+}
+
+Triangles cylinderTriangles(const Cylinder& cylinder) {
+  constexpr std::uint32_t kSides = 256;
+  Triangles triangles;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    const double x = cylinder.radius_m * std::cos(angle), y = cylinder.radius_m * std::sin(angle);
+    triangles.vertices.push_back({x, y, -cylinder.height_m / 2});
+    triangles.vertices.push_back({x, y, cylinder.height_m / 2});
+  }
+  triangles.vertices.push_back({0, 0, -cylinder.height_m / 2});
+  triangles.vertices.push_back({0, 0, cylinder.height_m / 2});
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides);
+    triangles.faces.push_back({a, b, b + 1});
+    triangles.faces.push_back({a, b + 1, a + 1});
+    triangles.faces.push_back({2 * kSides, b, a});
+    triangles.faces.push_back({2 * kSides + 1, a + 1, b + 1});
+  }
+  return triangles;
+}
+
+/// assimp 5.2 never returns from a PLY header that does not end.
+void refuseEndlessHeader(const std::filesystem::path& file) {
+  const std::string content = core::readFile(file);
+  if (content.rfind("ply", 0) == 0 && content.find("end_header") == std::string::npos) {
+    throw core::InputError({.file = file}, "the mesh cannot be read: its PLY header has no 'end_header'.",
+                           "The file is cut off; copy or export it again.");
+  }
+}
+
+Triangles meshTriangles(const Mesh& mesh) {
+  if (!std::filesystem::is_regular_file(mesh.file)) {
+    throw core::InputError({.file = mesh.file}, "the mesh file does not exist.",
+                           "Check the name; it is relative to experiment.json.");
+  }
+  refuseEndlessHeader(mesh.file);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(
+      mesh.file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices);
+  if (!scene || scene->mNumMeshes == 0) {
+    throw core::InputError({.file = mesh.file}, std::string("the mesh cannot be read: ") + importer.GetErrorString(),
+                           "Use OBJ, PLY, STL or glTF with triangles or polygons.");
+  }
+  Triangles triangles;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& part = *scene->mMeshes[m];
+    const auto first = static_cast<std::uint32_t>(triangles.vertices.size());
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      const aiVector3D& p = part.mVertices[v];
+      triangles.vertices.push_back({p.x * mesh.scale, p.y * mesh.scale, p.z * mesh.scale});
+    }
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      if (face.mNumIndices != 3) continue;  // points and lines reflect nothing
+      triangles.faces.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Triangles trianglesOf(const Shape& shape) {
+  if (const auto* r = std::get_if<Rectangle>(&shape)) {
+    const double y = r->width_m / 2, z = r->height_m / 2;
+    return quad({0, -y, -z}, {0, y, -z}, {0, y, z}, {0, -y, z});
+  }
+  if (const auto* b = std::get_if<Box>(&shape)) return boxTriangles(b->size_m);
+  if (const auto* c = std::get_if<Cylinder>(&shape)) return cylinderTriangles(*c);
+  if (std::holds_alternative<Plane>(shape)) {
+    constexpr double kFar_m = 5000.0;  // beyond every lidar's reach, near enough for single precision
+    return quad({-kFar_m, -kFar_m, 0}, {kFar_m, -kFar_m, 0}, {kFar_m, kFar_m, 0}, {-kFar_m, kFar_m, 0});
+  }
+  if (const auto* m = std::get_if<Mesh>(&shape)) return meshTriangles(*m);
+  return {};
+}
+
+}  // namespace model

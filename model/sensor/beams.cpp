@@ -1,0 +1,99 @@
+#include "model/sensor/beams.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/csv.h"
+#include "core/error.h"
+#include "core/physics.h"
+
+namespace model {
+
+namespace {
+
+/// Centres of `count` even cells over [-half_width, half_width].
+std::vector<double> cellCentres(double half_width, int count) {
+  std::vector<double> centres;
+  for (int i = 0; i < count; ++i) centres.push_back(half_width * ((2.0 * i + 1.0) / count - 1.0));
+  return centres;
+}
+
+/// Relative power at an offset from the axis; a, b are half the 1/e² full widths.
+double gaussianWeight(double offset, double half_width) {
+  return half_width > 0.0 ? std::exp(-2.0 * offset * offset / (half_width * half_width)) : 1.0;
+}
+
+}  // namespace
+
+std::vector<Beam> beamsOf(const Scan& scan) {
+  std::vector<Beam> beams;
+  for (std::size_t l = 0; l < scan.layers.size(); ++l) {
+    const Layer& layer = scan.layers[l];
+    const double span = layer.azimuth_to_deg - layer.azimuth_from_deg;
+    const int columns = static_cast<int>(std::floor(std::abs(span) / layer.azimuth_step_deg + 1e-6)) + 1;
+    const double step = span < 0.0 ? -layer.azimuth_step_deg : layer.azimuth_step_deg;
+    for (int c = 0; c < columns; ++c) {
+      // Counted falling in azimuth or rising: column c is the c-th fired one, or the c-th from the end.
+      const bool counted_as_fired = (step < 0.0) == scan.left_to_right;
+      const int order = counted_as_fired ? c : columns - 1 - c;
+      beams.push_back({.layer = static_cast<std::int32_t>(l),
+                       .column = c,
+                       .azimuth_rad = (layer.azimuth_from_deg + c * step) * core::kRadPerDeg,
+                       .elevation_rad = layer.elevation_deg * core::kRadPerDeg,
+                       .time_s = static_cast<double>(order) / columns * scan.duty / scan.frame_rate_hz});
+    }
+  }
+  return beams;
+}
+
+std::vector<Beam> readBeams(const std::filesystem::path& file) {
+  const std::vector<std::string> names{"layer", "azimuth_rad", "elevation_rad"};
+  const auto columns = core::readNumericColumns(file, names);
+  std::vector<double> times;
+  const core::CsvTable table = core::readCsvTable(file);
+  if (table.findColumn("time_s")) times = core::readNumericColumns(file, std::vector<std::string>{"time_s"})[0];
+  std::vector<Beam> beams;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    if (columns[0][i] < 0.0 || columns[0][i] != std::floor(columns[0][i])) {
+      throw core::InputError({.file = file, .line = table.lines[i], .item = "column 'layer'"},
+                             "is not a whole number from 0 on.", "Give the index of the layer in the profile.");
+    }
+    beams.push_back({.layer = static_cast<std::int32_t>(columns[0][i]),
+                     .column = static_cast<std::int32_t>(i),
+                     .azimuth_rad = columns[1][i],
+                     .elevation_rad = columns[2][i],
+                     .time_s = times.empty() ? 0.0 : times[i]});
+  }
+  if (beams.empty()) throw core::InputError({.file = file}, "lists no beam.", "Give at least one line.");
+  return beams;
+}
+
+SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical, Grid grid) {
+  const bool gaussian = profile == BeamProfile::kGaussian;
+  const double a = divergence.horizontal_rad / 2.0;
+  const double b = divergence.vertical_rad / 2.0;
+  const double reach = gaussian ? 1.5 : 1.0;
+  const auto lefts = cellCentres(reach * a, a > 0.0 ? horizontal : 1);
+  const auto ups = cellCentres(reach * b, b > 0.0 ? vertical : 1);
+  const auto columns = static_cast<double>(lefts.size()), rows = static_cast<double>(ups.size());
+  const bool sheared = grid == Grid::kSheared;
+  SubRays rays;
+  double sum = 0.0;
+  for (std::size_t r = 0; r < ups.size(); ++r) {
+    for (std::size_t c = 0; c < lefts.size(); ++c) {
+      // Within its cell a sheared ray moves sideways with its row and up with its column.
+      const double aside = sheared ? (static_cast<double>(r) + 0.5) / rows - 0.5 : 0.0;
+      const double upward = sheared ? (static_cast<double>(c) + 0.5) / columns - 0.5 : 0.0;
+      const double left = lefts[c] + aside * 2.0 * reach * a / columns;
+      const double up = ups[r] + upward * 2.0 * reach * b / rows;
+      rays.left_rad.push_back(left);
+      rays.up_rad.push_back(up);
+      rays.weight.push_back(gaussian ? gaussianWeight(left, a) * gaussianWeight(up, b) : 1.0);
+      sum += rays.weight.back();
+    }
+  }
+  for (double& weight : rays.weight) weight /= sum;
+  return rays;
+}
+
+}  // namespace model

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "model/sensor/sensor_profile.h"
+
+namespace model {
+
+/// One shot of the scan: where it points and when it is fired within the frame.
+struct Beam {
+  std::int32_t layer = 0;
+  std::int32_t column = 0;  ///< counted within the layer from `azimuth_from_deg` on
+  double azimuth_rad = 0.0;
+  double elevation_rad = 0.0;
+  double time_s = 0.0;  ///< since the start of the frame
+};
+
+/// The beams of one frame, layer by layer, columns from `azimuth_from_deg` on (formats.md section 2): column k of n in
+/// order of firing is fired at t = k/n · duty / frame_rate; the direction of the scan alone decides the order.
+[[nodiscard]] std::vector<Beam> beamsOf(const Scan& scan);
+
+/// Directions given point by point: CSV layer,azimuth_rad,elevation_rad[,time_s].
+[[nodiscard]] std::vector<Beam> readBeams(const std::filesystem::path& file);
+
+/// Even grid of angular offsets over the beam's cross-section with its weights (sum 1), formats.md section 3, step 1.
+struct SubRays {
+  std::vector<double> left_rad;  ///< offset to the left in the beam's own plane
+  std::vector<double> up_rad;
+  std::vector<double> weight;
+};
+
+/// How the sub-rays lie: in the even grid of the reference chain, or in the same grid sheared by less than a step, so
+/// that no two rays share a height or a side: the share of a beam that an upright edge cuts off is then right to about
+/// one in the number of all rays, not of the rays in a row.
+enum class Grid { kEven, kSheared };
+
+/// `divergence` of zero in a direction gives one ray in it.
+[[nodiscard]] SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical,
+                                Grid grid = Grid::kEven);
+
+}  // namespace model

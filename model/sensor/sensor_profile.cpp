@@ -1,0 +1,138 @@
+#include "model/sensor/sensor_profile.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/text.h"
+
+namespace model {
+
+namespace {
+
+constexpr core::Bounds kPositive{.min = 0.0, .open_min = true};
+constexpr core::Bounds kNotNegative{.min = 0.0};
+constexpr core::Bounds kFraction{.min = 0.0, .max = 1.0};
+
+AngularSize readAngularSize(core::JsonObject parent, const std::string& key) {
+  core::JsonObject size = parent.object(key);
+  AngularSize result{size.number("horizontal", kNotNegative), size.number("vertical", kNotNegative)};
+  size.finish();
+  return result;
+}
+
+Emitter readEmitter(core::JsonObject object) {
+  Emitter emitter;
+  emitter.wavelength_nm = object.number("wavelength_nm", {.min = 200.0, .max = 20000.0});
+  emitter.peak_power_w = object.number("peak_power_w", kPositive);
+  emitter.pulse_fwhm_ns = object.number("pulse_fwhm_ns", kPositive);
+  if (object.has("divergence_rad")) emitter.divergence = readAngularSize(object, "divergence_rad");
+  emitter.beam_profile = object.choiceOr("beam_profile", {"uniform", "gaussian"}, "uniform") == "gaussian"
+                             ? BeamProfile::kGaussian
+                             : BeamProfile::kUniform;
+  object.finish();
+  return emitter;
+}
+
+Receiver readReceiver(core::JsonObject object) {
+  Receiver receiver;
+  receiver.aperture_diameter_m = object.number("aperture_diameter_m", kPositive);
+  receiver.efficiency = object.numberOr("efficiency", 1.0, kFraction);
+  receiver.axis_offset_m = object.numberOr("axis_offset_m", 0.0);
+  if (object.has("field_of_view_rad")) receiver.field_of_view = readAngularSize(object, "field_of_view_rad");
+  receiver.noise_w = object.numberOr("noise_w", 0.0, kNotNegative);
+  receiver.threshold_w = object.number("threshold_w", kPositive);
+  receiver.saturation_w = object.optionalNumber("saturation_w", kPositive);
+  object.finish();
+  return receiver;
+}
+
+Layer readLayer(core::JsonObject& object) {
+  Layer layer;
+  layer.elevation_deg = object.number("elevation_deg", {.min = -90.0, .max = 90.0});
+  core::JsonObject azimuth = object.object("azimuth_deg");
+  layer.azimuth_from_deg = azimuth.number("from", {.min = -360.0, .max = 360.0});
+  layer.azimuth_to_deg = azimuth.number("to", {.min = -360.0, .max = 360.0});
+  layer.azimuth_step_deg = azimuth.number("step", kPositive);
+  azimuth.finish();
+  return layer;
+}
+
+Scan readScan(core::JsonObject object) {
+  Scan scan;
+  scan.frame_rate_hz = object.number("frame_rate_hz", kPositive);
+  scan.duty = object.numberOr("duty", 1.0, {.min = 0.0, .max = 1.0, .open_min = true});
+  scan.left_to_right =
+      object.choiceOr("direction", {"left-to-right", "right-to-left"}, "left-to-right") == "left-to-right";
+  object.eachObject("layers", [&](core::JsonObject& layer) { scan.layers.push_back(readLayer(layer)); });
+  if (scan.layers.empty()) object.fail("layers", "is missing or empty.", "Give at least one layer.");
+  object.finish();
+  return scan;
+}
+
+DetectionStage readDetectionStage(core::JsonObject object) {
+  DetectionStage stage;
+  stage.max_echoes = static_cast<int>(object.integerOr("max_echoes", 1, {.min = 1, .max = 100}));
+  stage.echo_separation_m = object.numberOr("echo_separation_m", 0.0, kNotNegative);
+  const std::string mode = object.choiceOr("range_mode", {"peak", "leading-edge", "centre"}, "peak");
+  stage.range_mode = mode == "peak"     ? RangeMode::kPeak
+                     : mode == "centre" ? RangeMode::kCentre
+                                        : RangeMode::kLeadingEdge;
+  stage.min_range_m = object.numberOr("min_range_m", 0.0, kNotNegative);
+  stage.max_range_m = object.number("max_range_m", kPositive);
+  stage.range_resolution_m = object.numberOr("range_resolution_m", 0.0, kNotNegative);
+  stage.epw_resolution_m = object.numberOr("epw_resolution_m", 0.0, kNotNegative);
+  stage.intensity_resolution_nw = object.numberOr("intensity_resolution", 0.0, kNotNegative);
+  stage.range_noise_m = object.numberOr("range_noise_m", 0.0, kNotNegative);
+  stage.epw_noise_m = object.numberOr("epw_noise_m", 0.0, kNotNegative);
+  stage.output = object.texts("output");
+  if (stage.output.empty()) stage.output = {"range"};
+  object.finish();
+  return stage;
+}
+
+}  // namespace
+
+SensorProfile readSensorProfile(core::JsonObject& object) {
+  object.expectFormat("fidelis-sensor", 1);
+  SensorProfile profile;
+  profile.id = object.text("id");
+  profile.title = object.textOr("title", profile.id);
+  profile.source = object.textOr("source", "");
+  profile.emitter = readEmitter(object.object("emitter"));
+  profile.receiver = readReceiver(object.object("receiver"));
+  profile.scan = readScan(object.object("scan"));
+  profile.detection = readDetectionStage(object.object("detection"));
+  object.finish();
+  return profile;
+}
+
+nlohmann::json sensorProfileJson(const nlohmann::json& value, const std::filesystem::path& file,
+                                 const std::string& pointer) {
+  if (!value.is_string()) return value;
+  const auto folder = core::resourceFolder() / "sensors";
+  const auto profile = folder / (value.get<std::string>() + ".json");
+  if (std::filesystem::is_regular_file(profile)) return core::readJson(profile);
+  std::vector<std::string> known;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".json") known.push_back(entry.path().stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  const std::string nearest = core::nearestName(value.get<std::string>(), known);
+  throw core::InputError({.file = file, .item = pointer},
+                         "there is no sensor profile '" + value.get<std::string>() + "'.",
+                         (nearest.empty() ? "" : "Did you mean '" + nearest + "'? ") +
+                             ("Known are " + core::join(known) + "; or put the profile itself there."));
+}
+
+SensorProfile resolveSensorProfile(const nlohmann::json& value, const std::filesystem::path& file,
+                                   const std::string& pointer) {
+  const nlohmann::json profile = sensorProfileJson(value, file, pointer);
+  const auto origin =
+      value.is_string() ? core::resourceFolder() / "sensors" / (value.get<std::string>() + ".json") : file;
+  core::JsonObject object(profile, origin, value.is_string() ? "" : pointer);
+  return readSensorProfile(object);
+}
+
+}  // namespace model
