@@ -1,32 +1,11 @@
 #include <cmath>
 
 #include "model/effects/declarations.h"
+#include "model/extinction.h"
 
 namespace model::effects {
 
 namespace {
-
-constexpr double kReferenceWavelength_nm = 550.0;
-
-/// Exponent of the wavelength dependence. Source: Kim, McArthur, Korevaar 2001, doi:10.1117/12.417512, eq. 4.
-double kimExponent(double visibility_km) {
-  if (visibility_km > 50.0) return 1.6;
-  if (visibility_km > 6.0) return 1.3;
-  if (visibility_km > 1.0) return 0.16 * visibility_km + 0.34;
-  if (visibility_km > 0.5) return visibility_km - 0.5;
-  return 0.0;
-}
-
-/// α = 3.912 / V · (λ / 550 nm)^-q, Kruse's law with Kim's exponent; 3.912 = -ln 0.02 (2 % contrast). [1/m]
-double extinctionFromVisibility(double visibility_m, double wavelength_nm) {
-  return 3.912 / visibility_m * std::pow(wavelength_nm / kReferenceWavelength_nm, -kimExponent(visibility_m / 1000.0));
-}
-
-/// 1.076 R^0.67 dB/km. Source: Carbonneau & Wisely 1998, doi:10.1117/12.302454. [1/m]
-double extinctionFromRain(double rain_rate_mm_h) {
-  constexpr double kNeperPerDecibel = 0.23025850929940457;  // ln(10)/10, of power
-  return 1.076 * std::pow(rain_rate_mm_h, 0.67) * kNeperPerDecibel / 1000.0;
-}
 
 /// Beer–Lambert, out and back: P = P_clear · exp(-2 α r).
 class AtmosphericAttenuation final : public Effect {
