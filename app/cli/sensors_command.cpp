@@ -4,12 +4,19 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/sensors/describe.h"
+#include "core/error.h"
 #include "core/file.h"
-#include "model/sensor/beams.h"
 
 namespace app {
 
 namespace {
+
+struct Options {
+  std::string name;
+  std::string json;
+  std::string svg;
+};
 
 /// The shipped profiles, in order of their names.
 std::vector<model::SensorProfile> shippedProfiles() {
@@ -23,39 +30,55 @@ std::vector<model::SensorProfile> shippedProfiles() {
   return profiles;
 }
 
-nlohmann::ordered_json toJson(const model::SensorProfile& profile) {
-  return {{"id", profile.id},
-          {"title", profile.title},
-          {"wavelength_nm", profile.emitter.wavelength_nm},
-          {"frame_rate_hz", profile.scan.frame_rate_hz},
-          {"layers", profile.scan.layers.size()},
-          {"beams_per_frame", model::beamsOf(profile.scan).size()},
-          {"max_echoes", profile.detection.max_echoes},
-          {"max_range_m", profile.detection.max_range_m},
-          {"output", profile.detection.output},
-          {"source", profile.source}};
+void listAll(const Options& options, Session& session) {
+  if (!options.svg.empty())
+    throw core::InputError({.item = "--svg"}, "needs the name of a profile.", "Write: fidelis sensors NAME --svg FILE");
+  nlohmann::ordered_json json{
+      {"format", "fidelis-sensors"}, {"version", 1}, {"sensors", nlohmann::ordered_json::array()}};
+  for (const model::SensorProfile& profile : shippedProfiles()) {
+    const nlohmann::ordered_json row = sensors::summary(profile);
+    json["sensors"].push_back(row);
+    if (!options.json.empty()) continue;
+    session.out << fmt::format("{:<18} {}, {} beams a frame at {:.3g} Hz, up to {:g} m: {}\n", profile.id,
+                               sensors::counted(row["layers"].get<std::size_t>(), "layer"),
+                               row["beams_per_frame"].get<std::size_t>(), profile.scan.frame_rate_hz,
+                               profile.detection.max_range_m, profile.title);
+  }
+  if (!options.json.empty()) session.writeJsonTo(options.json, json);
+}
+
+void describeOne(const Options& options, Session& session) {
+  const sensors::Description description = sensors::describe(sensors::profileOf(options.name));
+  if (options.svg == "-") {
+    session.out << sensors::picture(description.profile);
+  } else if (!options.svg.empty()) {
+    core::writeFile(options.svg, sensors::picture(description.profile));
+  }
+  if (!options.json.empty()) session.writeJsonTo(options.json, sensors::toJson(description));
+  if (options.json.empty() && options.svg.empty()) sensors::print(session.out, description);
+  if (sensors::hasError(description)) session.status = kNotAccepted;
 }
 
 }  // namespace
 
 void addSensorsCommand(CLI::App& program, Session& session) {
-  auto file = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("sensors", "List the sensor profiles that come with the program");
-  command->add_option("--json", *file, "Write the list as JSON; '-' is standard output");
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "sensors", "List the sensor profiles that come with the program, or describe and check one");
+  command->add_option("NAME", options->name,
+                      "Id of a profile or a profile file: its numbers, how far it sees, and what is remarkable");
+  command->add_option("--json", options->json, "Write the list or the description as JSON; '-' is standard output");
+  command->add_option("--svg", options->svg, "Draw where the beams of the profile point; '-' is standard output");
   command->footer(
-      "A model or an experiment names a profile by its id, or holds one itself.\n\nExample:\n  fidelis sensors --json "
-      "-");
-  command->callback([file, &session] {
-    nlohmann::ordered_json json{
-        {"format", "fidelis-sensors"}, {"version", 1}, {"sensors", nlohmann::ordered_json::array()}};
-    for (const model::SensorProfile& profile : shippedProfiles()) {
-      json["sensors"].push_back(toJson(profile));
-      if (!file->empty()) continue;
-      session.out << fmt::format("{:<18} {} layers, {} beams a frame at {:g} Hz, up to {:g} m: {}\n", profile.id,
-                                 profile.scan.layers.size(), model::beamsOf(profile.scan).size(),
-                                 profile.scan.frame_rate_hz, profile.detection.max_range_m, profile.title);
+      "A model or an experiment names a profile by its id, or holds one itself. The exit status is 1 if the check of a "
+      "profile finds an error.\n\nExamples:\n  fidelis sensors\n  fidelis sensors valeo-scala-1\n  fidelis sensors "
+      "my-sensor.json --json check.json --svg beams.svg");
+  command->callback([options, &session] {
+    if (options->name.empty()) {
+      listAll(*options, session);
+    } else {
+      describeOne(*options, session);
     }
-    if (!file->empty()) session.writeJsonTo(*file, json);
   });
 }
 

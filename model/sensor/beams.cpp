@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/csv.h"
 #include "core/error.h"
@@ -23,27 +24,61 @@ double gaussianWeight(double offset, double half_width) {
   return half_width > 0.0 ? std::exp(-2.0 * offset * offset / (half_width * half_width)) : 1.0;
 }
 
+void addLayer(const Scan& scan, std::size_t index, std::vector<Beam>& beams) {
+  const Layer& layer = scan.layers[index];
+  const double span = layer.azimuth_to_deg - layer.azimuth_from_deg;
+  const int columns = static_cast<int>(std::floor(std::abs(span) / layer.azimuth_step_deg + 1e-6)) + 1;
+  const double step = span < 0.0 ? -layer.azimuth_step_deg : layer.azimuth_step_deg;
+  for (int c = 0; c < columns; ++c) {
+    // Counted falling in azimuth or rising: column c is the c-th fired one, or the c-th from the end.
+    const bool counted_as_fired = (step < 0.0) == scan.left_to_right;
+    const int order = counted_as_fired ? c : columns - 1 - c;
+    const double azimuth_deg = layer.azimuth_from_deg + c * step;
+    const double since_offset_s =
+        scan.at_once ? 0.0 : static_cast<double>(order) / columns * scan.duty / scan.frame_rate_hz;
+    beams.push_back({.layer = static_cast<std::int32_t>(index),
+                     .column = c,
+                     .azimuth_rad = azimuth_deg * core::kRadPerDeg,
+                     .elevation_rad = layer.elevationAt_deg(azimuth_deg) * core::kRadPerDeg,
+                     .time_s = layer.time_offset_s + since_offset_s,
+                     .gain = layer.gain.at(azimuth_deg)});
+  }
+}
+
+/// Both ways of the mirror in one period. On the way right the phase of an azimuth a is acos(a / A); on the way back it
+/// is 2π less that.
+void addPeriod(const Lissajous& figure, int period, std::vector<Beam>& beams) {
+  const double amplitude = figure.azimuth_amplitude_deg;
+  const int last = static_cast<int>(std::floor(2.0 * amplitude / figure.azimuth_step_deg + 1e-6));
+  const auto add = [&](int way, int column, int place) {
+    const double azimuth_deg = amplitude - place * figure.azimuth_step_deg;
+    const double there = std::acos(std::clamp(azimuth_deg / amplitude, -1.0, 1.0)) / (2.0 * std::numbers::pi);
+    const double phase = way == 0 ? there : 1.0 - there;  // in turns
+    const double time_s = (period + phase) / figure.mirror_frequency_hz;
+    const double height_deg = figure.elevation_amplitude_deg * time_s / figure.ramp_s;
+    beams.push_back({.layer = 2 * period + way,
+                     .column = column,
+                     .azimuth_rad = azimuth_deg * core::kRadPerDeg,
+                     .elevation_rad = height_deg * std::sin(2.0 * std::numbers::pi * phase) * core::kRadPerDeg,
+                     .time_s = time_s,
+                     .gain = figure.gain.at(azimuth_deg)});
+  };
+  for (int i = 0; i <= last; ++i) add(0, i, i);
+  for (int i = last - 1; i > 0; --i) add(1, last - 1 - i, i);
+}
+
 }  // namespace
 
 std::vector<Beam> beamsOf(const Scan& scan) {
   std::vector<Beam> beams;
-  for (std::size_t l = 0; l < scan.layers.size(); ++l) {
-    const Layer& layer = scan.layers[l];
-    const double span = layer.azimuth_to_deg - layer.azimuth_from_deg;
-    const int columns = static_cast<int>(std::floor(std::abs(span) / layer.azimuth_step_deg + 1e-6)) + 1;
-    const double step = span < 0.0 ? -layer.azimuth_step_deg : layer.azimuth_step_deg;
-    for (int c = 0; c < columns; ++c) {
-      // Counted falling in azimuth or rising: column c is the c-th fired one, or the c-th from the end.
-      const bool counted_as_fired = (step < 0.0) == scan.left_to_right;
-      const int order = counted_as_fired ? c : columns - 1 - c;
-      beams.push_back({.layer = static_cast<std::int32_t>(l),
-                       .column = c,
-                       .azimuth_rad = (layer.azimuth_from_deg + c * step) * core::kRadPerDeg,
-                       .elevation_rad = layer.elevation_deg * core::kRadPerDeg,
-                       .time_s = static_cast<double>(order) / columns * scan.duty / scan.frame_rate_hz});
-    }
-  }
+  beams.reserve(static_cast<std::size_t>(beamCount(scan)));
+  for (std::size_t l = 0; l < scan.layers.size(); ++l) addLayer(scan, l, beams);
+  for (int p = 0; scan.lissajous && p < scan.lissajous->periods(); ++p) addPeriod(*scan.lissajous, p, beams);
   return beams;
+}
+
+void applyGain(const Scan& scan, std::span<Beam> beams) {
+  for (Beam& beam : beams) beam.gain = gainOf(scan, beam.layer, beam.azimuth_rad);
 }
 
 std::vector<Beam> readBeams(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "model/sensor/sensor_profile.h"
@@ -15,14 +16,20 @@ struct Beam {
   double azimuth_rad = 0.0;
   double elevation_rad = 0.0;
   double time_s = 0.0;  ///< since the start of the frame
+  double gain = 1.0;    ///< share of the emitter's peak power that goes out here, at the beam's centre
 };
 
 /// The beams of one frame, layer by layer, columns from `azimuth_from_deg` on (formats.md section 2): column k of n in
-/// order of firing is fired at t = k/n · duty / frame_rate; the direction of the scan alone decides the order.
+/// order of firing is fired at t = k/n · duty / frame_rate, plus the layer's offset; the direction of the scan alone
+/// decides the order. A flash fires all columns at the layer's offset. Along a Lissajous figure (scan.h) every way of
+/// the mirror is a layer, with its columns in order of firing.
 [[nodiscard]] std::vector<Beam> beamsOf(const Scan& scan);
 
 /// Directions given point by point: CSV layer,azimuth_rad,elevation_rad[,time_s].
 [[nodiscard]] std::vector<Beam> readBeams(const std::filesystem::path& file);
+
+/// Gives beams that were read point by point the gain that the scan has at their layer and azimuth.
+void applyGain(const Scan& scan, std::span<Beam> beams);
 
 /// Even grid of angular offsets over the beam's cross-section with its weights (sum 1), formats.md section 3, step 1.
 struct SubRays {

@@ -21,12 +21,24 @@ AngularSize readAngularSize(core::JsonObject parent, const std::string& key) {
   return result;
 }
 
+/// A beam whose width is not known has no divergence_rad at all; a zero would make beam-divergence a lie.
+AngularSize readDivergence(core::JsonObject& parent) {
+  const AngularSize size = readAngularSize(parent, "divergence_rad");
+  for (const auto& [name, width_rad] :
+       {std::pair{"horizontal", size.horizontal_rad}, {"vertical", size.vertical_rad}}) {
+    if (width_rad > 0.0) continue;
+    parent.fail(std::string("divergence_rad/") + name, "is 0; every beam has a width.",
+                "Give the full width in rad, or leave out divergence_rad if it is not known.");
+  }
+  return size;
+}
+
 Emitter readEmitter(core::JsonObject object) {
   Emitter emitter;
   emitter.wavelength_nm = object.number("wavelength_nm", {.min = 200.0, .max = 20000.0});
   emitter.peak_power_w = object.number("peak_power_w", kPositive);
   emitter.pulse_fwhm_ns = object.number("pulse_fwhm_ns", kPositive);
-  if (object.has("divergence_rad")) emitter.divergence = readAngularSize(object, "divergence_rad");
+  if (object.has("divergence_rad")) emitter.divergence = readDivergence(object);
   emitter.beam_profile = object.choiceOr("beam_profile", {"uniform", "gaussian"}, "uniform") == "gaussian"
                              ? BeamProfile::kGaussian
                              : BeamProfile::kUniform;
@@ -47,29 +59,6 @@ Receiver readReceiver(core::JsonObject object) {
   return receiver;
 }
 
-Layer readLayer(core::JsonObject& object) {
-  Layer layer;
-  layer.elevation_deg = object.number("elevation_deg", {.min = -90.0, .max = 90.0});
-  core::JsonObject azimuth = object.object("azimuth_deg");
-  layer.azimuth_from_deg = azimuth.number("from", {.min = -360.0, .max = 360.0});
-  layer.azimuth_to_deg = azimuth.number("to", {.min = -360.0, .max = 360.0});
-  layer.azimuth_step_deg = azimuth.number("step", kPositive);
-  azimuth.finish();
-  return layer;
-}
-
-Scan readScan(core::JsonObject object) {
-  Scan scan;
-  scan.frame_rate_hz = object.number("frame_rate_hz", kPositive);
-  scan.duty = object.numberOr("duty", 1.0, {.min = 0.0, .max = 1.0, .open_min = true});
-  scan.left_to_right =
-      object.choiceOr("direction", {"left-to-right", "right-to-left"}, "left-to-right") == "left-to-right";
-  object.eachObject("layers", [&](core::JsonObject& layer) { scan.layers.push_back(readLayer(layer)); });
-  if (scan.layers.empty()) object.fail("layers", "is missing or empty.", "Give at least one layer.");
-  object.finish();
-  return scan;
-}
-
 DetectionStage readDetectionStage(core::JsonObject object) {
   DetectionStage stage;
   stage.max_echoes = static_cast<int>(object.integerOr("max_echoes", 1, {.min = 1, .max = 100}));
@@ -86,7 +75,17 @@ DetectionStage readDetectionStage(core::JsonObject object) {
   stage.range_noise_m = object.numberOr("range_noise_m", 0.0, kNotNegative);
   stage.epw_noise_m = object.numberOr("epw_noise_m", 0.0, kNotNegative);
   stage.output = object.texts("output");
+  const std::vector<std::string> known{"range", "epw", "intensity"};
+  for (std::size_t i = 0; i < stage.output.size(); ++i) {
+    if (std::find(known.begin(), known.end(), stage.output[i]) != known.end()) continue;
+    const std::string nearest = core::nearestName(stage.output[i], known);
+    object.fail("output/" + std::to_string(i), "'" + stage.output[i] + "' is no output.",
+                nearest.empty() ? "Known are " + core::join(known) + "." : "Did you mean '" + nearest + "'?");
+  }
   if (stage.output.empty()) stage.output = {"range"};
+  if (stage.min_range_m >= stage.max_range_m) {
+    object.fail("min_range_m", "is not below max_range_m: the window is empty.", "Exchange or correct the two.");
+  }
   object.finish();
   return stage;
 }

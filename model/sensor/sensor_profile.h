@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/json_object.h"
+#include "model/sensor/scan.h"
 
 namespace model {
 
@@ -34,21 +35,6 @@ struct Receiver {
   double noise_w = 0.0;      ///< standard deviation of the input-referred noise
   double threshold_w = 0.0;  ///< on the received power
   std::optional<double> saturation_w;
-};
-
-/// One row of the scan: columns from `azimuth_from_deg` on, both ends included.
-struct Layer {
-  double elevation_deg = 0.0;
-  double azimuth_from_deg = 0.0;
-  double azimuth_to_deg = 0.0;
-  double azimuth_step_deg = 1.0;
-};
-
-struct Scan {
-  double frame_rate_hz = 10.0;
-  double duty = 1.0;          ///< part of the frame period in which beams are fired
-  bool left_to_right = true;  ///< falling azimuth
-  std::vector<Layer> layers;
 };
 
 struct DetectionStage {

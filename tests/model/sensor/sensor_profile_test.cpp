@@ -1,5 +1,6 @@
 #include "model/sensor/sensor_profile.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "model/sensor/beams.h"
@@ -48,6 +49,26 @@ TEST(SensorProfile, FaultsAreNamedWithPointer) {
   json["scan"]["layers"] = nlohmann::json::array();
   EXPECT_NE(refusalOf(json).find("/sensor/scan/layers"), std::string::npos);
   EXPECT_NE(refusalOf(5).find("/sensor: is a number"), std::string::npos);
+  json = lab::sensor();
+  json["emitter"]["divergence_rad"]["vertical"] = 0;
+  EXPECT_NE(refusalOf(json).find("/sensor/emitter/divergence_rad/vertical: is 0; every beam has a width."),
+            std::string::npos);
+  json = lab::sensor();
+  json["emitter"]["peak_power_w"] = -50;
+  EXPECT_NE(refusalOf(json).find("/sensor/emitter/peak_power_w: is -50"), std::string::npos);
+  json = lab::sensor();
+  json["receiver"]["threshold_w"] = 0;
+  EXPECT_NE(refusalOf(json).find("/sensor/receiver/threshold_w: is 0; it must be greater than 0"), std::string::npos);
+  json = lab::sensor();
+  json["emitter"]["peak_power_w"] = std::nan("");
+  EXPECT_NE(refusalOf(json).find("/sensor/emitter/peak_power_w: is nan"), std::string::npos);
+  json = lab::sensor();
+  json["detection"]["min_range_m"] = 2000;
+  EXPECT_NE(refusalOf(json).find("/sensor/detection/min_range_m: is not below max_range_m"), std::string::npos);
+  json = lab::sensor();
+  json["detection"]["output"] = {"range", "intensty"};
+  EXPECT_NE(refusalOf(json).find("/sensor/detection/output/1: 'intensty' is no output.\n  Did you mean 'intensity'?"),
+            std::string::npos);
 }
 
 std::vector<std::string> shippedIds() {
