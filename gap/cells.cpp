@@ -32,15 +32,16 @@ struct Surface {
 };
 
 /// The surfaces that a beam meets, near ones merged: the chain would report them as one echo.
-std::vector<Surface> surfacesOf(std::span<const model::Hit> hits, double separation_m) {
+std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubRays& rays, double separation_m) {
   std::vector<Surface> surfaces;
   for (const model::Hit& hit : hits) {
     auto known =
         std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
     if (known == surfaces.end()) known = surfaces.insert(surfaces.end(), Surface{hit.object});
-    known->weight += hit.weight;
-    known->range += hit.weight * hit.range_m;
-    known->incidence += hit.weight * std::acos(std::min(1.0F, hit.cos_incidence));
+    const double weight = rays.weight[hit.ray];
+    known->weight += weight;
+    known->range += weight * hit.range_m;
+    known->incidence += weight * std::acos(std::min(1.0F, hit.cos_incidence));
   }
   for (Surface& surface : surfaces) {
     surface.range /= surface.weight;
@@ -87,8 +88,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   first_.push_back(0);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     double power_w = 0.0;
-    for (const model::Pulse& pulse : baseline.pulsesOf(hits.beams[b], hits.of(b), scene)) power_w += pulse.power_w;
-    for (const Surface& surface : surfacesOf(hits.of(b), separation_m)) {
+    for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
+    for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/physics.h"
+#include "gap/joined_hits.h"
 
 namespace gap {
 
@@ -14,73 +15,19 @@ constexpr int kEdgeFactor = 3;            // denser grid of partly hit beams: ri
 constexpr std::size_t kMostTraces = 400;  // remembered geometries
 
 /// The beams whose sub-rays do not all meet one object.
-std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits, std::size_t rays_per_beam) {
+std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
   std::vector<std::uint32_t> partly;
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     const auto of_beam = hits.of(b);
-    if (of_beam.empty() && rays_per_beam > 1) continue;
-    const bool whole = of_beam.size() == rays_per_beam &&
-                       std::all_of(of_beam.begin(), of_beam.end(),
-                                   [&](const model::Hit& hit) { return hit.object == of_beam.front().object; });
+    if (of_beam.empty() && hits.rays.size() > 1) continue;
+    bool whole = of_beam.size() == hits.rays.size();
+    for (std::size_t i = 0; whole && i < of_beam.size(); ++i) whole = of_beam[i].object == of_beam[0].object;
     if (!whole) partly.push_back(b);
   }
   return partly;
 }
 
-/// `hits` with some beams replaced by those of `denser`, which holds just them, in order.
-model::BeamHits withReplaced(const model::BeamHits& hits, const std::vector<std::uint32_t>& which,
-                             const model::BeamHits& denser) {
-  model::BeamHits result;
-  result.beams = hits.beams;
-  result.first.push_back(0);
-  std::size_t next = 0;
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
-    const bool replaced = next < which.size() && which[next] == b;
-    const auto of_beam = replaced ? denser.of(next) : hits.of(b);
-    if (replaced) ++next;
-    result.hits.insert(result.hits.end(), of_beam.begin(), of_beam.end());
-    result.first.push_back(static_cast<std::uint32_t>(result.hits.size()));
-  }
-  return result;
-}
-
 }  // namespace
-
-model::BeamHits joined(const model::BeamHits& hits, double range_bin_m, double azimuth_bin_rad) {
-  model::BeamHits result;
-  result.beams = hits.beams;
-  result.first.push_back(0);
-  struct Key {
-    std::int32_t object;
-    std::int64_t range, azimuth;
-    bool operator==(const Key&) const = default;
-  };
-  struct Sum {
-    Key key;
-    double weight = 0.0, range = 0.0, cosine = 0.0, azimuth = 0.0;
-  };
-  std::vector<Sum> sums;
-  for (std::size_t b = 0; b < hits.beams.size(); ++b) {
-    sums.clear();
-    for (const model::Hit& hit : hits.of(b)) {
-      const Key key{hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / range_bin_m)),
-                    static_cast<std::int64_t>(std::floor(hit.azimuth_rad / azimuth_bin_rad))};
-      auto found = std::find_if(sums.rbegin(), sums.rend(), [&](const Sum& s) { return s.key == key; });
-      Sum& sum = found == sums.rend() ? sums.emplace_back(Sum{key}) : *found;
-      sum.weight += hit.weight;
-      sum.range += hit.weight * hit.range_m;
-      sum.cosine += static_cast<double>(hit.weight) * hit.cos_incidence;
-      sum.azimuth += static_cast<double>(hit.weight) * hit.azimuth_rad;
-    }
-    for (const Sum& s : sums) {
-      if (s.weight <= 0.0) continue;
-      result.hits.push_back({s.range / s.weight, static_cast<float>(s.cosine / s.weight), static_cast<float>(s.weight),
-                             static_cast<float>(s.azimuth / s.weight), s.key.object});
-    }
-    result.first.push_back(static_cast<std::uint32_t>(result.hits.size()));
-  }
-  return result;
-}
 
 Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline) : experiment_(experiment) {
   baseline_.model = baseline;
@@ -128,20 +75,17 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   chain.aim(beams);
   const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
   const int vertical = std::max(kFewestRays, world.model.rays_vertical);
-  const auto profile = settings.emitter.beam_profile;
-  const model::SubRays rays = model::subRaysOf(profile, settings.divergence, horizontal, vertical);
-  const model::RayTracer tracer(traced->situation.scene);
   const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
-  const double azimuth_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
-  const model::BeamHits all = model::traceBeams(tracer, std::move(beams), rays);
-  const auto edges = partlyHit(all, rays.weight.size());
+  const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
+  const model::Scene& scene = traced->situation.scene;
+  const model::BeamHits all = model::traceWith(chain, scene, std::move(beams), chain.subRays(horizontal, vertical));
+  const auto edges = partlyHit(all);
   std::vector<model::Beam> edge_beams;
   for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
   const model::BeamHits dense =
-      model::traceBeams(tracer, std::move(edge_beams),
-                        model::subRaysOf(profile, settings.divergence, kEdgeFactor * horizontal, kEdgeFactor * vertical,
-                                         model::Grid::kSheared));
-  traced->hits = joined(withReplaced(all, edges, dense), range_bin_m, azimuth_bin_rad);
+      model::traceWith(chain, scene, std::move(edge_beams),
+                       chain.subRays(kEdgeFactor * horizontal, kEdgeFactor * vertical, model::Grid::kSheared));
+  traced->hits = joined(all, edges, dense, range_bin_m, left_bin_rad);
   return traced;
 }
 

@@ -67,7 +67,4 @@ class Replay {
 /// Smallest distance of two neighbouring beams of a layer in azimuth, over the first sample; 1 if there is none.
 [[nodiscard]] double azimuthStep_deg(const Replay& replay);
 
-/// Joins hits of a beam that lie on one object within a small part of the pulse's width.
-[[nodiscard]] model::BeamHits joined(const model::BeamHits& hits, double range_bin_m, double azimuth_bin_rad);
-
 }  // namespace gap

@@ -18,8 +18,15 @@ SignalChain chainOf(const LidarModel& model, const Sample& sample, const Environ
   return {model.sensor(sample.sensor), model.effects, environment};
 }
 
-SubRays subRays(const LidarModel& model, const ChainSettings& settings) {
-  return subRaysOf(settings.emitter.beam_profile, settings.divergence, model.rays_horizontal, model.rays_vertical);
+/// The scene as seen from the sensor at the moments of its beams.
+RayTracer tracerOf(const Scene& scene, const SignalChain& chain, std::span<const Beam> beams) {
+  const Vector3& own = chain.settings().sensor_velocity_m_s;
+  if (own == Vector3{}) return RayTracer(scene, timesOf(beams));
+  Scene relative = scene;
+  for (SceneObject& object : relative.objects) {
+    for (std::size_t k = 0; k < 3; ++k) object.velocity_m_s[k] -= own[k];
+  }
+  return RayTracer(relative, timesOf(beams));
 }
 
 /// Copies what the package refers to besides the measurements, keeping relative places.
@@ -117,20 +124,36 @@ TracedSample traceSample(const Experiment& experiment, const LidarModel& model, 
   const SignalChain chain = chainOf(model, sample, traced.situation.environment);
   std::vector<Beam> beams = beamsOfSample(experiment, model, sample);
   chain.aim(beams);
-  const RayTracer tracer(traced.situation.scene);
-  traced.hits = traceBeams(tracer, std::move(beams), subRays(model, chain.settings()));
+  traced.hits = traceWith(chain, traced.situation.scene, std::move(beams),
+                          chain.subRays(model.rays_horizontal, model.rays_vertical));
   return traced;
+}
+
+BeamHits traceWith(const SignalChain& chain, const Scene& scene, std::vector<Beam> beams, const SubRays& rays) {
+  const RayTracer tracer = tracerOf(scene, chain, beams);
+  return traceBeams(tracer, std::move(beams), rays, chain.settings().sensor_position_m, chain.secondWays(scene));
 }
 
 core::Detections simulate(const Experiment& experiment, const LidarModel& model, std::size_t sample_index,
                           const EpistemicOffsets& offsets, std::optional<std::uint64_t> seed) {
   const Sample& sample = experiment.samples.at(sample_index);
-  const TracedSample traced = traceSample(experiment, model, sample, offsets);
-  const SignalChain chain = chainOf(model, sample, traced.situation.environment);
-  const auto shots = chain.run(
-      traced.hits, traced.situation.scene,
-      {.seed = seed.value_or(model.seed), .sample = static_cast<std::uint32_t>(sample_index), .frames = sample.frames});
-  return toDetections(shots, beamsOfSample(experiment, model, sample), model.sensor(sample.sensor));
+  const RunOptions options{
+      .seed = seed.value_or(model.seed), .sample = static_cast<std::uint32_t>(sample_index), .frames = sample.frames};
+  const Situation situation = situationOf(experiment, sample, offsets);
+  const SignalChain chain = chainOf(model, sample, situation.environment);
+  const std::vector<Beam> nominal = beamsOfSample(experiment, model, sample);
+  std::vector<Beam> beams = nominal;
+  chain.aim(beams);
+  const SubRays rays = chain.subRays(model.rays_horizontal, model.rays_vertical);
+  std::vector<Shot> shots;
+  if (chain.couplesBeams()) {
+    shots = chain.run(traceWith(chain, situation.scene, std::move(beams), rays), situation.scene, options);
+  } else {
+    const RayTracer tracer = tracerOf(situation.scene, chain, beams);
+    const GeometryPass pass(tracer, beams, rays, chain.settings().sensor_position_m, chain.secondWays(situation.scene));
+    shots = chain.run(pass, situation.scene, options);
+  }
+  return toDetections(shots, nominal, model.sensor(sample.sensor));
 }
 
 void simulatePackage(const Experiment& experiment, const LidarModel& model, const std::filesystem::path& folder,

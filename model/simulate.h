@@ -22,6 +22,10 @@ struct TracedSample {
 [[nodiscard]] TracedSample traceSample(const Experiment& experiment, const LidarModel& model, const Sample& sample,
                                        const EpistemicOffsets& offsets = {});
 
+/// The same for beams and sub-rays of one's own.
+[[nodiscard]] BeamHits traceWith(const SignalChain& chain, const Scene& scene, std::vector<Beam> beams,
+                                 const SubRays& rays);
+
 /// Simulates one sample at one corner of its epistemic box. `seed` overrides the model's. Reported directions are
 /// those of the scan (the sensor does not know that it is misaligned).
 [[nodiscard]] core::Detections simulate(const Experiment& experiment, const LidarModel& model, std::size_t sample,

@@ -30,7 +30,7 @@ class ApertureOffset final : public Effect {
  public:
   explicit ApertureOffset(const EffectParameters& parameters) : given_m_(parameters.number("offset_m")) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     const AngularSize& beam = settings.emitter.divergence;
     const AngularSize& view = settings.receiver.field_of_view;
     offset_m_ = std::abs(given_m_.value_or(settings.receiver.axis_offset_m));
@@ -47,10 +47,10 @@ class ApertureOffset final : public Effect {
 
  private:
   std::optional<double> given_m_;
-  mutable double offset_m_ = 0.0;  // set once by prepare(), before the effect is shared; so are the others
-  mutable double aperture_m_ = 0.0;
-  mutable double half_beam_rad_ = 0.0;
-  mutable double half_view_rad_ = 0.0;
+  double offset_m_ = 0.0;
+  double aperture_m_ = 0.0;
+  double half_beam_rad_ = 0.0;
+  double half_view_rad_ = 0.0;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ class AtmosphericAttenuation final : public Effect {
  public:
   explicit AtmosphericAttenuation(const EffectParameters& parameters) : parameters_(parameters) {}
 
-  void prepare(ChainSettings& settings, const Environment& environment) const override {
+  void prepare(ChainSettings& settings, const Environment& environment) override {
     const double wavelength_nm = settings.emitter.wavelength_nm;
     if (!parameters_.numbers.empty()) {
       extinction_1_m_ =
@@ -35,7 +35,7 @@ class AtmosphericAttenuation final : public Effect {
   }
 
   EffectParameters parameters_;
-  mutable double extinction_1_m_ = 0.0;  // set once by prepare(), before the effect is shared
+  double extinction_1_m_ = 0.0;
 };
 
 }  // namespace

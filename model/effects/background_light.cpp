@@ -24,7 +24,7 @@ class BackgroundLight final : public Effect {
  public:
   explicit BackgroundLight(const EffectParameters& parameters) : irradiance_(parameters.number("irradiance_w_m2_nm")) {}
 
-  void prepare(ChainSettings& settings, const Environment& environment) const override {
+  void prepare(ChainSettings& settings, const Environment& environment) override {
     const double irradiance = irradiance_.value_or(environment.background_irradiance_w_m2_nm.value_or(0.0));
     Receiver& receiver = settings.receiver;
     const AngularSize& view =

@@ -11,7 +11,7 @@ class BeamDivergence final : public Effect {
   explicit BeamDivergence(const EffectParameters& parameters)
       : horizontal_rad_(parameters.number("horizontal_rad")), vertical_rad_(parameters.number("vertical_rad")) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     settings.divergence = {horizontal_rad_.value_or(settings.emitter.divergence.horizontal_rad),
                            vertical_rad_.value_or(settings.emitter.divergence.vertical_rad)};
   }

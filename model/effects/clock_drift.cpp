@@ -15,7 +15,7 @@ class ClockDrift final : public Effect {
       : scale_ppm_(parameters.numberOr("scale_ppm", 0.0)),
         per_kelvin_ppm_(parameters.numberOr("per_kelvin_ppm", 0.0)) {}
 
-  void prepare(ChainSettings& settings, const Environment& environment) const override {
+  void prepare(ChainSettings& settings, const Environment& environment) override {
     const double warmer_K =
         environment.temperature_degC.value_or(kReferenceTemperature_degC) - kReferenceTemperature_degC;
     settings.range_scale *= 1.0 + 1e-6 * (scale_ppm_ + per_kelvin_ppm_ * warmer_K);

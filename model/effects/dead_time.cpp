@@ -20,11 +20,13 @@ class DeadTime final : public Effect {
     if (echoes.size() < 2) return;
     std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
     double seen_m = -blind_m_;
-    std::erase_if(echoes, [&](const Echo& echo) {
-      if (echo.range_m - seen_m < blind_m_) return true;
-      seen_m = echo.range_m;
-      return false;
-    });
+    for (Echo& echo : echoes) {
+      if (echo.range_m - seen_m < blind_m_) {
+        echo.fate = Fate::kBlinded;
+      } else {
+        seen_m = echo.range_m;
+      }
+    }
   }
 
  private:

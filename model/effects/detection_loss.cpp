@@ -11,7 +11,9 @@ class DetectionLoss final : public Effect {
 
   [[nodiscard]] bool reports() const override { return true; }
   void report(std::vector<Echo>& echoes, const ChainSettings&, core::Random& random) const override {
-    std::erase_if(echoes, [&](const Echo&) { return random.uniform() < probability_; });
+    for (Echo& echo : echoes) {
+      if (random.uniform() < probability_) echo.fate = Fate::kLost;
+    }
   }
 
  private:

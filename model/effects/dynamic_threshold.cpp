@@ -12,7 +12,7 @@ class DynamicThreshold final : public Effect {
  public:
   explicit DynamicThreshold(const EffectParameters& parameters) : factor_(parameters.numberOr("factor", 5.0)) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     if (settings.receiver.noise_w > 0.0) settings.receiver.threshold_w = factor_ * settings.receiver.noise_w;
   }
 

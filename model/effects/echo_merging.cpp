@@ -9,7 +9,7 @@ namespace {
 class EchoMerging final : public Effect {
  public:
   explicit EchoMerging(const EffectParameters& parameters) : separation_m_(parameters.number("separation_m")) {}
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     settings.detection.echo_separation_m = separation_m_.value_or(settings.detection.echo_separation_m);
   }
 

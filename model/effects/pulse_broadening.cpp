@@ -9,7 +9,7 @@ namespace {
 class PulseBroadening final : public Effect {
  public:
   explicit PulseBroadening(const EffectParameters&) {}
-  void prepare(ChainSettings& settings, const Environment&) const override { settings.broadens_pulses = true; }
+  void prepare(ChainSettings& settings, const Environment&) override { settings.broadens_pulses = true; }
 };
 
 }  // namespace

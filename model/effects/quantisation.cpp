@@ -12,7 +12,7 @@ class Quantisation final : public Effect {
  public:
   explicit Quantisation(const EffectParameters& parameters) : parameters_(parameters) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     DetectionStage& stage = settings.detection;
     stage.range_resolution_m = parameters_.numberOr("range_step_m", stage.range_resolution_m);
     stage.epw_resolution_m = parameters_.numberOr("epw_step_m", stage.epw_resolution_m);

@@ -12,7 +12,7 @@ class RangeGating final : public Effect {
  public:
   explicit RangeGating(const EffectParameters& parameters)
       : from_m_(parameters.number("from_m")), to_m_(parameters.number("to_m")) {}
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     DetectionStage& stage = settings.detection;
     stage.min_range_m = std::max(stage.min_range_m, from_m_.value_or(stage.min_range_m));
     stage.max_range_m = std::min(stage.max_range_m, to_m_.value_or(stage.max_range_m));

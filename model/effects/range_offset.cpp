@@ -8,7 +8,7 @@ namespace {
 class RangeOffset final : public Effect {
  public:
   explicit RangeOffset(const EffectParameters& parameters) : offset_m_(parameters.numberOr("offset_m", 0.0)) {}
-  void prepare(ChainSettings& settings, const Environment&) const override { settings.range_offset_m += offset_m_; }
+  void prepare(ChainSettings& settings, const Environment&) override { settings.range_offset_m += offset_m_; }
 
  private:
   double offset_m_;

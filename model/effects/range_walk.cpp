@@ -21,7 +21,7 @@ class RangeWalk final : public Effect {
       : coefficient_m_(parameters.number("coefficient_m")),
         calibrated_at_snr_(parameters.number("calibrated_at_snr")) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     if (coefficient_m_) return;
     settings.detection.range_mode = RangeMode::kLeadingEdge;
     if (calibrated_at_snr_ && *calibrated_at_snr_ > 1.0) {
@@ -29,9 +29,9 @@ class RangeWalk final : public Effect {
       settings.range_offset_m += width_m / 2.0 * std::sqrt(std::log2(*calibrated_at_snr_));
     }
   }
-  void process(Echo& echo, const ChainSettings& settings) const override {
-    if (coefficient_m_ && echo.peak_w > 0.0)
-      echo.range_m += *coefficient_m_ * settings.receiver.threshold_w / echo.peak_w;
+  [[nodiscard]] bool changesEchoes() const override { return coefficient_m_.has_value(); }
+  void process(Echo& echo, const Receiver& receiver, const ChainSettings&) const override {
+    if (echo.peak_w > 0.0) echo.range_m += *coefficient_m_ * receiver.threshold_w / echo.peak_w;
   }
 
  private:

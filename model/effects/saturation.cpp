@@ -13,11 +13,12 @@ class Saturation final : public Effect {
  public:
   explicit Saturation(const EffectParameters& parameters) : saturation_w_(parameters.number("saturation_w")) {}
 
-  void prepare(ChainSettings& settings, const Environment&) const override {
+  void prepare(ChainSettings& settings, const Environment&) override {
     if (saturation_w_) settings.receiver.saturation_w = saturation_w_;
   }
-  void process(Echo& echo, const ChainSettings& settings) const override {
-    if (settings.receiver.saturation_w) echo.peak_w = std::min(echo.peak_w, *settings.receiver.saturation_w);
+  [[nodiscard]] bool changesEchoes() const override { return true; }
+  void process(Echo& echo, const Receiver& receiver, const ChainSettings&) const override {
+    if (receiver.saturation_w) echo.peak_w = std::min(echo.peak_w, *receiver.saturation_w);
   }
 
  private:

@@ -21,7 +21,7 @@ class ThermalNoise final : public Effect {
   explicit ThermalNoise(const EffectParameters& parameters)
       : given_degC_(parameters.number("temperature_degC")), share_(parameters.numberOr("dark_share", 1.0)) {}
 
-  void prepare(ChainSettings& settings, const Environment& environment) const override {
+  void prepare(ChainSettings& settings, const Environment& environment) override {
     const double temperature_degC =
         given_degC_.value_or(environment.temperature_degC.value_or(kReferenceTemperature_degC));
     settings.receiver.noise_w *=

@@ -1,35 +1,62 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
+#include "model/geometry/hits.h"
 #include "model/geometry/ray_tracer.h"
-#include "model/sensor/beams.h"
 
 namespace model {
 
-/// One sub-ray that met a surface.
-struct Hit {
-  double range_m = 0.0;
-  float cos_incidence = 0.0F;
-  float weight = 0.0F;       ///< share of the beam's power, Σ over all sub-rays = 1
-  float azimuth_rad = 0.0F;  ///< of the sub-ray itself
-  std::int32_t object = -1;
+/// Which surfaces a sub-ray does not end on, by object, and how many of them a path may have.
+struct SecondWays {
+  std::size_t most_turns = 0;  ///< at most SecondHit::kMostTurns; 0: nothing of the kind
+  std::vector<bool> through;
+  std::vector<bool> mirrored;
 };
 
-/// Everything that the signal pass needs of the geometry: no material, no power, so hypotheses share it.
-struct BeamHits {
-  std::vector<Beam> beams;
-  std::vector<std::uint32_t> first;  ///< hits of beam b are hits[first[b] … first[b + 1])
-  std::vector<Hit> hits;
+/// The first pass of the simulation: which sub-ray of which beam meets what. The directions of the beams are worked out
+/// once; `trace` then does one stretch of neighbouring beams and may be called from many threads, each with buffers of
+/// its own. Tracer and beams must outlive it.
+class GeometryPass {
+ public:
+  GeometryPass(const RayTracer& tracer, std::span<const Beam> beams, SubRays rays, const Vector3& origin_m = {},
+               SecondWays second = {});
 
-  [[nodiscard]] std::span<const Hit> of(std::size_t beam) const {
-    return std::span(hits).subspan(first[beam], first[beam + 1] - first[beam]);
-  }
+  [[nodiscard]] std::span<const Beam> beams() const noexcept { return beams_; }
+  [[nodiscard]] const SubRays& rays() const noexcept { return rays_; }
+
+  /// What one thread works with, and the result. Reused from call to call.
+  struct Tile {
+    std::vector<RayPacket> packets;
+    Hits hits;
+    std::vector<SecondHit> second;
+    std::vector<std::uint32_t> first_second;
+  };
+  /// Hits of the beams [begin, end).
+  void trace(std::size_t begin, std::size_t end, Tile& tile) const;
+
+ private:
+  void aimPackets(std::size_t begin, std::size_t end, std::vector<RayPacket>& packets) const;
+  void collect(std::size_t begin, std::size_t end, Tile& tile) const;
+  void collectExactly(std::size_t begin, std::size_t end, Tile& tile) const;
+  void follow(std::size_t begin, std::size_t end, Tile& tile) const;
+  [[nodiscard]] Ray rayOf(std::size_t beam, std::size_t ray) const;
+
+  const RayTracer& tracer_;
+  std::span<const Beam> beams_;
+  SubRays rays_;
+  Vector3 origin_m_;
+  SecondWays second_;
+  bool timed_ = false;
+  std::vector<float> axes_;     ///< per beam: forward x, y, z, left x, y, up x, y, z
+  std::vector<float> offsets_;  ///< per sub-ray: forward, left and up parts of its unit direction
 };
 
-/// Traces the sub-rays of every beam from the origin (Embree, all cores). Same result for any number of threads.
-[[nodiscard]] BeamHits traceBeams(const RayTracer& tracer, std::vector<Beam> beams, const SubRays& sub_rays);
+/// All beams on all cores. Same result for any number of threads.
+[[nodiscard]] BeamHits traceBeams(const RayTracer& tracer, std::vector<Beam> beams, const SubRays& rays,
+                                  const Vector3& origin_m = {}, const SecondWays& second = {});
+
+/// The moments of the scene that the beams meet.
+[[nodiscard]] TimeSpan timesOf(std::span<const Beam> beams);
 
 }  // namespace model

@@ -103,6 +103,22 @@ std::vector<Beam> readBeams(const std::filesystem::path& file) {
   return beams;
 }
 
+Vector3 directionOf(const Beam& beam, double left_rad, double up_rad) {
+  const double ca = std::cos(beam.azimuth_rad), sa = std::sin(beam.azimuth_rad);
+  const double ce = std::cos(beam.elevation_rad), se = std::sin(beam.elevation_rad);
+  const double l = std::tan(left_rad), u = std::tan(up_rad);
+  const Vector3 d = {ce * ca - l * sa - u * se * ca, ce * sa + l * ca - u * se * sa, se + u * ce};
+  const double length = std::sqrt(1.0 + l * l + u * u);
+  return {d[0] / length, d[1] / length, d[2] / length};
+}
+
+std::uint32_t SubRays::add(double left, double up, double share) {
+  left_rad.push_back(left);
+  up_rad.push_back(up);
+  weight.push_back(share);
+  return static_cast<std::uint32_t>(weight.size() - 1);
+}
+
 SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, int vertical, Grid grid) {
   const bool gaussian = profile == BeamProfile::kGaussian;
   const double a = divergence.horizontal_rad / 2.0;
@@ -121,9 +137,7 @@ SubRays subRaysOf(BeamProfile profile, AngularSize divergence, int horizontal, i
       const double upward = sheared ? (static_cast<double>(c) + 0.5) / columns - 0.5 : 0.0;
       const double left = lefts[c] + aside * 2.0 * reach * a / columns;
       const double up = ups[r] + upward * 2.0 * reach * b / rows;
-      rays.left_rad.push_back(left);
-      rays.up_rad.push_back(up);
-      rays.weight.push_back(gaussian ? gaussianWeight(left, a) * gaussianWeight(up, b) : 1.0);
+      rays.add(left, up, gaussian ? gaussianWeight(left, a) * gaussianWeight(up, b) : 1.0);
       sum += rays.weight.back();
     }
   }

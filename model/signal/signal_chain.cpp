@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/parallel.h"
 #include "core/physics.h"
@@ -43,31 +42,81 @@ bool contains(const std::vector<std::string>& list, const char* name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+constexpr std::size_t kBeamsPerTile = 128;
+
+double pulseWidth_m(const ChainSettings& settings) {
+  return core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
+}
+
+core::Random::Key keyOf(const RunOptions& options, int frame, std::uint32_t beam) {
+  return {.seed = options.seed,
+          .sample = options.sample,
+          .frame = static_cast<std::uint32_t>(frame),
+          .beam = beam,
+          .purpose = core::purposeOf("receiver")};
+}
+
+TracedBeams someBeams(const BeamHits& geometry, std::size_t begin, std::size_t end) {
+  const std::span<const std::uint32_t> first_second(geometry.first_second);
+  return {std::span(geometry.beams).subspan(begin, end - begin),
+          geometry.rays,
+          geometry.hits,
+          begin,
+          geometry.second,
+          first_second.empty() ? first_second : first_second.subspan(begin)};
+}
+
+TracedBeams oneBeam(const BeamHits& geometry, std::size_t beam) { return someBeams(geometry, beam, beam + 1); }
+
+/// Beams came one after the other; the result goes frame by frame (a stable counting sort).
+std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, int frames) {
+  std::vector<std::size_t> position(static_cast<std::size_t>(frames) + 1, 0);
+  for (const auto& piece : pieces) {
+    for (const Shot& shot : piece) ++position[static_cast<std::size_t>(shot.frame) + 1];
+  }
+  for (std::size_t f = 1; f < position.size(); ++f) position[f] += position[f - 1];
+  std::vector<Shot> shots(position.back());
+  for (const auto& piece : pieces) {
+    for (const Shot& shot : piece) shots[position[static_cast<std::size_t>(shot.frame)]++] = shot;
+  }
+  return shots;
+}
+
 }  // namespace
 
 /// Buffers that one thread reuses from beam to beam.
 struct SignalChain::Scratch {
+  GeometryPass::Tile tile;
+  PowerStage::Scratch power;
+  Pulses pulses;
+  std::vector<WaveformPart> parts;
+  std::vector<Pulse> of_shot;
   std::vector<Stretch> stretches;
   std::vector<Stretch> of_part;
   std::vector<Echo> echoes;
 };
 
-core::Random SignalChain::Drawing::stream(core::Random::Key key) const {
-  key.purpose = purpose;
-  return core::Random(key);
+core::Random::Key SignalChain::Drawing::keyOf(core::Random::Key shot) const {
+  shot.purpose = purpose;
+  return shot;
 }
 
 SignalChain::SignalChain(const SensorProfile& sensor, const std::vector<ActiveEffect>& effects,
-                         const Environment& environment) {
+                         const Environment& environment)
+    : beam_profile_(sensor.emitter.beam_profile) {
   settings_.emitter = sensor.emitter;
   settings_.receiver = sensor.receiver;
   settings_.detection = sensor.detection;
   for (const ActiveEffect& active : effects) {
     effects_.push_back(findEffect(active.name)->make(active.parameters));
+    effects_.back()->prepare(settings_, environment);
     const Effect* effect = effects_.back().get();
-    effect->prepare(settings_, environment);
+    all_effects_.push_back(effect);
     const std::uint32_t purpose = core::purposeOf(active.name.c_str());
-    if (effect->changesPower()) power_effects_.push_back(effect);
+    if (effect->couplesBeams()) coupling_effects_.push_back(effect);
+    if (effect->changesReceiver()) receiver_effects_.push_back(effect);
+    if (effect->changesEchoes()) echo_effects_.push_back(effect);
+    if (effect->disturbs()) disturbing_effects_.push_back({effect, purpose});
     if (effect->fluctuates()) fluctuating_effects_.push_back({effect, purpose});
     if (effect->reports()) reporting_effects_.push_back({effect, purpose});
   }
@@ -78,40 +127,48 @@ SignalChain::SignalChain(SignalChain&&) noexcept = default;
 SignalChain& SignalChain::operator=(SignalChain&&) noexcept = default;
 
 void SignalChain::aim(std::vector<Beam>& beams) const {
-  for (const auto& effect : effects_) effect->aim(beams);
+  for (const Effect* effect : all_effects_) effect->aim(beams);
 }
 
-std::vector<Pulse> SignalChain::pulsesOf(const Beam& beam, std::span<const Hit> hits, const Scene& scene) const {
-  const double aperture_m2 =
-      std::numbers::pi / 4.0 * settings_.receiver.aperture_diameter_m * settings_.receiver.aperture_diameter_m;
-  const double constant =
-      settings_.emitter.peak_power_w * settings_.receiver.efficiency * aperture_m2 / std::numbers::pi;
-  std::vector<Pulse> pulses;
-  std::vector<std::int32_t> objects;
-  for (const Hit& hit : hits) {
-    const Material& material = scene.materials[scene.objects[static_cast<std::size_t>(hit.object)].material];
-    double power_w = constant * hit.weight * material.reflectivity * hit.cos_incidence / (hit.range_m * hit.range_m);
-    const Reflection reflection{beam, hit.azimuth_rad, hit.range_m, hit.cos_incidence, material};
-    for (const Effect* effect : power_effects_) power_w *= effect->powerFactor(reflection);
-    if (settings_.broadens_pulses) {
-      pulses.push_back({hit.range_m, power_w});
-      continue;
-    }
-    const auto known = std::find(objects.begin(), objects.end(), hit.object) - objects.begin();
-    if (known == static_cast<std::ptrdiff_t>(objects.size())) {
-      objects.push_back(hit.object);
-      pulses.push_back({});
-    }
-    Pulse& pulse = pulses[static_cast<std::size_t>(known)];
-    pulse.range_m += power_w * hit.range_m;  // divided by the power below
-    pulse.power_w += power_w;
-  }
-  if (!settings_.broadens_pulses) {
-    for (Pulse& pulse : pulses) {
-      if (pulse.power_w > 0.0) pulse.range_m /= pulse.power_w;
+SubRays SignalChain::subRays(int horizontal, int vertical, Grid grid) const {
+  SubRays rays = subRaysOf(beam_profile_, settings_.divergence, horizontal, vertical, grid);
+  for (const Effect* effect : all_effects_) effect->spread(rays, settings_);
+  return rays;
+}
+
+SecondWays SignalChain::secondWays(const Scene& scene) const {
+  SecondWays ways;
+  for (const SceneObject& object : scene.objects) {
+    const Material& material = scene.materials[object.material];
+    const auto any = [&](auto asks) { return std::any_of(all_effects_.begin(), all_effects_.end(), asks); };
+    ways.through.push_back(any([&](const Effect* effect) { return effect->letsThrough(material); }));
+    ways.mirrored.push_back(any([&](const Effect* effect) { return effect->mirrors(material); }));
+    if (ways.through.back() || ways.mirrored.back()) {
+      ways.most_turns = static_cast<std::size_t>(settings_.most_crossings);
     }
   }
-  return pulses;
+  return ways;
+}
+
+std::vector<Pulse> SignalChain::pulsesOf(const BeamHits& geometry, std::size_t beam, const Scene& scene) const {
+  const PowerStage power(settings_, all_effects_, scene);
+  PowerStage::Scratch scratch;
+  Pulses pulses;
+  power.receive(oneBeam(geometry, beam), scratch, pulses);
+  return pulses.pulses;
+}
+
+Receiver SignalChain::receiverOf(const Beam& beam) const {
+  Receiver receiver = settings_.receiver;
+  for (const Effect* effect : receiver_effects_) effect->receive(beam, receiver);
+  return receiver;
+}
+
+/// The tails below the lowest level are cut off; a tenth of the threshold keeps that cut away from the crossings.
+double SignalChain::lowestLevel(const Receiver& receiver) const {
+  const double share = 1.0 - kLargestNoise;
+  const double spread = fluctuating_effects_.empty() ? 1.0 : 0.1;  // a bright fluctuation lowers the level further
+  return receiver.threshold_w * share * spread;
 }
 
 Echo SignalChain::toEcho(const Stretch& stretch) const {
@@ -132,19 +189,15 @@ Echo SignalChain::toEcho(const Stretch& stretch) const {
   return echo;
 }
 
-void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, const core::Random::Key& key,
-                            Scratch& scratch) const {
-  const Receiver& receiver = settings_.receiver;
+/// Step 4 of the chain: where the waveform with its noise exceeds the threshold.
+void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
+                           const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const {
   core::Random random(key);
-  double gain = 1.0;
-  for (const Drawing& drawing : fluctuating_effects_) {
-    core::Random own = drawing.stream(key);
-    gain *= drawing.effect->fluctuation(beam, own);
-  }
   scratch.stretches.clear();
   scratch.echoes.clear();
   for (const WaveformPart& part : parts) {
     const double noise_w = std::min(receiver.noise_w * random.normal(), kLargestNoise * receiver.threshold_w);
+    if (record) record->noise_w.push_back(noise_w);
     scratch.of_part.clear();
     if (gain > 0.0)
       part.stretchesAbove(std::max((receiver.threshold_w - noise_w) / gain, part.lowest_level_w()), scratch.of_part);
@@ -153,81 +206,172 @@ void SignalChain::fireFrame(const Beam& beam, const std::vector<WaveformPart>& p
       scratch.stretches.push_back(stretch);
     }
   }
+  const std::vector<Stretch> separate = record ? scratch.stretches : std::vector<Stretch>();
   mergeNearStretches(scratch.stretches, settings_.detection.echo_separation_m);
   for (const Stretch& stretch : scratch.stretches) scratch.echoes.push_back(toEcho(stretch));
-  finish(scratch.echoes, random, key);
+  for (const Stretch& stretch : separate) {
+    const bool kept = std::any_of(scratch.stretches.begin(), scratch.stretches.end(),
+                                  [&](const Stretch& s) { return s.peak_m == stretch.peak_m; });
+    if (kept) continue;
+    record->echoes.push_back(toEcho(stretch));
+    record->echoes.back().fate = Fate::kMerged;
+  }
 }
 
 /// Everything behind the detection of echoes: time base, noise, losses, rounding, window, numbering.
-void SignalChain::finish(std::vector<Echo>& echoes, core::Random& random, const core::Random::Key& key) const {
+void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
+                         ShotRecord* record) const {
   const DetectionStage& stage = settings_.detection;
+  std::vector<Echo>& echoes = scratch.echoes;
+  const auto dropLost = [&] {
+    std::erase_if(echoes, [&](const Echo& echo) {
+      if (echo.fate != Fate::kDetected && record) record->echoes.push_back(echo);
+      return echo.fate != Fate::kDetected;
+    });
+  };
+  core::Random::Key noise = key;
+  noise.purpose = core::purposeOf("echo noise");
+  core::Random random(noise);
   for (Echo& echo : echoes) {
-    for (const auto& effect : effects_) effect->process(echo, settings_);
+    for (const Effect* effect : echo_effects_) effect->process(echo, receiver, settings_);
     echo.range_m = settings_.range_scale * echo.range_m + settings_.range_offset_m;
     const double range_noise = random.normal(), epw_noise = random.normal();
     echo.range_m += stage.range_noise_m * range_noise;
     echo.epw_m += stage.epw_noise_m * epw_noise;
   }
   for (const Drawing& drawing : reporting_effects_) {
-    core::Random own = drawing.stream(key);
+    core::Random own(drawing.keyOf(key));
     drawing.effect->report(echoes, settings_, own);
+    dropLost();
   }
   for (Echo& echo : echoes) {
     echo.range_m = rounded(echo.range_m, stage.range_resolution_m);
     echo.epw_m = std::max(0.0, rounded(echo.epw_m, stage.epw_resolution_m));
     echo.peak_w = rounded(kWattToNanowatt * echo.peak_w, stage.intensity_resolution_nw) / kWattToNanowatt;
+    const bool inside = echo.range_m >= stage.min_range_m && echo.range_m <= stage.max_range_m;
+    if (!inside) echo.fate = Fate::kOutsideWindow;
   }
-  std::erase_if(echoes, [&](const Echo& e) { return e.range_m < stage.min_range_m || e.range_m > stage.max_range_m; });
+  dropLost();
   std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
-  if (echoes.size() > static_cast<std::size_t>(stage.max_echoes))
-    echoes.resize(static_cast<std::size_t>(stage.max_echoes));
+  for (std::size_t e = static_cast<std::size_t>(stage.max_echoes); e < echoes.size(); ++e) {
+    echoes[e].fate = Fate::kTooMany;
+  }
+  dropLost();
+  if (record) record->echoes.insert(record->echoes.begin(), echoes.begin(), echoes.end());
 }
 
-void SignalChain::fireBeam(std::uint32_t index, const BeamHits& geometry, const Scene& scene, const RunOptions& options,
-                           Scratch& scratch, std::vector<Shot>& out) const {
-  const Beam& beam = geometry.beams[index];
-  std::vector<Pulse> pulses = pulsesOf(beam, geometry.of(index), scene);
-  // The tails below the lowest level are cut off; a tenth of the threshold keeps that cut away from the crossings.
-  const double share = 1.0 - kLargestNoise;
-  const double spread = fluctuating_effects_.empty() ? 1.0 : 0.1;  // a bright fluctuation lowers the level further
-  const double width_m = core::kMetresPerNanosecond * settings_.emitter.pulse_fwhm_ns / 2.0;
-  const auto parts = partsOf(pulses, width_m, settings_.receiver.threshold_w * share * spread);
-  if (parts.empty() && reporting_effects_.empty()) return;
+void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
+                           ShotRecord* record) const {
+  if (!disturbing_effects_.empty()) {
+    scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
+    for (const Drawing& drawing : disturbing_effects_) {
+      drawing.effect->disturb(beam.view, drawing.keyOf(key), scratch.of_shot);
+    }
+    if (record) record->pulses = scratch.of_shot;
+    scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(receiver));
+  }
+  double gain = 1.0;
+  for (const Drawing& drawing : fluctuating_effects_) {
+    core::Random own(drawing.keyOf(key));
+    gain *= drawing.effect->fluctuation(beam.view.beam, own);
+  }
+  if (record) record->gain = gain;
+  listenTo(scratch.parts, receiver, gain, key, scratch, record);
+  finish(receiver, key, scratch, record);
+}
+
+void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratch& scratch,
+                           std::vector<Shot>& out) const {
+  const Receiver receiver = receiverOf(beam.view.beam);
+  if (disturbing_effects_.empty()) {
+    scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
+    scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(receiver));
+    if (scratch.parts.empty() && reporting_effects_.empty()) return;
+  }
   for (int frame = 0; frame < options.frames; ++frame) {
-    const core::Random::Key key{.seed = options.seed,
-                                .sample = options.sample,
-                                .frame = static_cast<std::uint32_t>(frame),
-                                .beam = index,
-                                .purpose = core::purposeOf("receiver")};
-    fireFrame(beam, parts, key, scratch);
+    fireShot(beam, receiver, keyOf(options, frame, beam.index), scratch, nullptr);
     std::int32_t number = 0;
     for (const Echo& echo : scratch.echoes) {
-      out.push_back({index, frame, ++number, echo.range_m, echo.epw_m, kWattToNanowatt * echo.peak_w});
+      out.push_back({beam.index, frame, ++number, echo.range_m, echo.epw_m, kWattToNanowatt * echo.peak_w});
     }
   }
+}
+
+void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power,
+                           std::size_t first_beam, const RunOptions& options, Scratch& scratch,
+                           std::vector<Shot>& out) const {
+  for (std::size_t b = 0; b < traced.beams.size(); ++b) {
+    const HitsOfBeam hits = traced.hitsOf(b);
+    const BeamView view = power.viewOf(traced.beams[b], hits, traced.rays);
+    fireBeam({static_cast<std::uint32_t>(first_beam + b), view, pulses.of(b)}, options, scratch, out);
+  }
+}
+
+std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene, const RunOptions& options) const {
+  const PowerStage power(settings_, all_effects_, scene);
+  std::vector<std::vector<Shot>> pieces((pass.beams().size() + kBeamsPerTile - 1) / kBeamsPerTile);
+  core::parallelFor(pass.beams().size(), kBeamsPerTile, [&](std::size_t begin, std::size_t end) {
+    Scratch scratch;
+    pass.trace(begin, end, scratch.tile);
+    const TracedBeams traced{pass.beams().subspan(begin, end - begin),
+                             pass.rays(),
+                             scratch.tile.hits,
+                             0,
+                             scratch.tile.second,
+                             scratch.tile.first_second};
+    power.receive(traced, scratch.power, scratch.pulses);
+    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / kBeamsPerTile]);
+  });
+  return frameByFrame(pieces, options.frames);
 }
 
 std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene, const RunOptions& options) const {
-  constexpr std::size_t kGrain = 64;
-  const std::size_t count = geometry.beams.size();
-  std::vector<std::vector<Shot>> pieces((count + kGrain - 1) / kGrain);
-  core::parallelFor(count, kGrain, [&](std::size_t begin, std::size_t end) {
+  const PowerStage power(settings_, all_effects_, scene);
+  const Pulses coupled = couplesBeams() ? coupledPulses(geometry, power) : Pulses();
+  std::vector<std::vector<Shot>> pieces((geometry.beams.size() + kBeamsPerTile - 1) / kBeamsPerTile);
+  core::parallelFor(geometry.beams.size(), kBeamsPerTile, [&](std::size_t begin, std::size_t end) {
     Scratch scratch;
-    for (std::size_t b = begin; b < end; ++b) {
-      fireBeam(static_cast<std::uint32_t>(b), geometry, scene, options, scratch, pieces[begin / kGrain]);
+    const TracedBeams traced = someBeams(geometry, begin, end);
+    if (couplesBeams()) {
+      for (std::size_t b = begin; b < end; ++b) scratch.pulses.add(coupled.of(b));
+    } else {
+      power.receive(traced, scratch.power, scratch.pulses);
     }
+    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / kBeamsPerTile]);
   });
-  // Beams came one after the other; the result goes frame by frame (a stable counting sort).
-  std::vector<std::size_t> position(static_cast<std::size_t>(options.frames) + 1, 0);
-  for (const auto& piece : pieces) {
-    for (const Shot& shot : piece) ++position[static_cast<std::size_t>(shot.frame) + 1];
+  return frameByFrame(pieces, options.frames);
+}
+
+Pulses SignalChain::coupledPulses(const BeamHits& geometry, const PowerStage& power) const {
+  PowerStage::Scratch scratch;
+  Pulses straight;
+  power.receive(someBeams(geometry, 0, geometry.beams.size()), scratch, straight);
+  std::vector<std::vector<Pulse>> of_beams;
+  for (std::size_t b = 0; b < geometry.beams.size(); ++b) {
+    of_beams.emplace_back(straight.of(b).begin(), straight.of(b).end());
   }
-  for (std::size_t f = 1; f < position.size(); ++f) position[f] += position[f - 1];
-  std::vector<Shot> shots(position.back());
-  for (const auto& piece : pieces) {
-    for (const Shot& shot : piece) shots[position[static_cast<std::size_t>(shot.frame)]++] = shot;
-  }
-  return shots;
+  for (const Effect* effect : coupling_effects_) effect->couple(geometry.beams, settings_, of_beams);
+  Pulses coupled;
+  for (const std::vector<Pulse>& pulses : of_beams) coupled.add(pulses);
+  return coupled;
+}
+
+ShotRecord SignalChain::record(const BeamHits& geometry, std::size_t beam, const Scene& scene,
+                               const RunOptions& options, int frame) const {
+  const PowerStage power(settings_, all_effects_, scene);
+  const std::vector<Pulse> pulses = pulsesOf(geometry, beam, scene);
+  const Pulses coupled = couplesBeams() ? coupledPulses(geometry, power) : Pulses();
+  const HitsOfBeam hits = geometry.of(beam);
+  const BeamView view = power.viewOf(geometry.beams[beam], hits, geometry.rays);
+  const Loaded loaded{static_cast<std::uint32_t>(beam), view, couplesBeams() ? coupled.of(beam) : std::span(pulses)};
+  ShotRecord record;
+  record.pulses.assign(loaded.pulses.begin(), loaded.pulses.end());
+  record.receiver = receiverOf(view.beam);
+  Scratch scratch;
+  scratch.of_shot = record.pulses;
+  scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(record.receiver));
+  fireShot(loaded, record.receiver, keyOf(options, frame, loaded.index), scratch, &record);
+  return record;
 }
 
 core::Detections toDetections(const std::vector<Shot>& shots, const std::vector<Beam>& beams,

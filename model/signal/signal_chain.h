@@ -8,6 +8,7 @@
 #include "model/effects/effect.h"
 #include "model/geometry/geometry_pass.h"
 #include "model/lidar_model.h"
+#include "model/signal/power_stage.h"
 #include "model/signal/waveform.h"
 
 namespace model {
@@ -29,11 +30,17 @@ struct RunOptions {
   int frames = 1;
 };
 
+/// What happened in one shot besides its echoes; written down on demand.
+struct ShotRecord {
+  std::vector<Pulse> pulses;    ///< before the fluctuation
+  double gain = 1.0;            ///< fluctuation of the whole shot
+  Receiver receiver;            ///< as it was for this beam
+  std::vector<double> noise_w;  ///< per part of the waveform
+  std::vector<Echo> echoes;     ///< all of them, with their fates
+};
+
 /// The signal pass of the reference chain (formats.md section 3, steps 2 to 6) with the model's effects switched on.
 /// Immutable after construction; safe to share.
-///
-///   received peak power of a sub-ray, laser radar equation (Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011):
-///     P = P_t · w · η A_r · T² · χ · (Γ/π) · cos θ / r²,   A_r = π D² / 4
 class SignalChain {
  public:
   SignalChain(const SensorProfile& sensor, const std::vector<ActiveEffect>& effects, const Environment& environment);
@@ -42,12 +49,28 @@ class SignalChain {
   SignalChain& operator=(SignalChain&&) noexcept;
 
   [[nodiscard]] const ChainSettings& settings() const noexcept { return settings_; }
+
+  // --- what the effects change before rays are traced
   /// The beams of a frame as the effects turn them.
   void aim(std::vector<Beam>& beams) const;
+  /// The beam's sub-rays: a grid over its cross-section, and what effects add to it.
+  [[nodiscard]] SubRays subRays(int horizontal, int vertical, Grid grid = Grid::kEven) const;
+  /// The surfaces behind which, or by way of which, light goes on.
+  [[nodiscard]] SecondWays secondWays(const Scene& scene) const;
+
+  // --- hits to detections
   /// Received pulses of one beam. Peak power before noise; broadening on: one per sub-ray, off: one per object.
-  [[nodiscard]] std::vector<Pulse> pulsesOf(const Beam& beam, std::span<const Hit> hits, const Scene& scene) const;
+  [[nodiscard]] std::vector<Pulse> pulsesOf(const BeamHits& geometry, std::size_t beam, const Scene& scene) const;
   /// All detections, frame by frame and beam by beam.
   [[nodiscard]] std::vector<Shot> run(const BeamHits& geometry, const Scene& scene, const RunOptions& options) const;
+  /// The same, tracing as it goes: no more than a tile of hits per thread is ever held.
+  [[nodiscard]] std::vector<Shot> run(const GeometryPass& pass, const Scene& scene, const RunOptions& options) const;
+  /// Whether the pulses of a beam depend on other beams; then all of them are held at once.
+  [[nodiscard]] bool couplesBeams() const noexcept { return !coupling_effects_.empty(); }
+
+  /// One shot, written down: `run` yields its echoes whose fate is kDetected.
+  [[nodiscard]] ShotRecord record(const BeamHits& geometry, std::size_t beam, const Scene& scene,
+                                  const RunOptions& options, int frame) const;
 
  private:
   struct Scratch;
@@ -55,18 +78,36 @@ class SignalChain {
   struct Drawing {
     const Effect* effect;
     std::uint32_t purpose;
-    [[nodiscard]] core::Random stream(core::Random::Key key) const;
+    [[nodiscard]] core::Random::Key keyOf(core::Random::Key shot) const;
   };
-  void fireBeam(std::uint32_t index, const BeamHits& geometry, const Scene& scene, const RunOptions& options,
-                Scratch& scratch, std::vector<Shot>& out) const;
-  void fireFrame(const Beam& beam, const std::vector<WaveformPart>& parts, const core::Random::Key& key,
-                 Scratch& scratch) const;
+  /// A beam whose pulses are known, ready to be fired in every frame.
+  struct Loaded {
+    std::uint32_t index;  ///< of the beam in the scan
+    const BeamView& view;
+    std::span<const Pulse> pulses;
+  };
+
+  void fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power, std::size_t first_beam,
+                const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
+  void fireBeam(const Loaded& beam, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
+  void fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
+                ShotRecord* record) const;
+  void listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
+                const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
+  [[nodiscard]] Receiver receiverOf(const Beam& beam) const;
+  [[nodiscard]] double lowestLevel(const Receiver& receiver) const;
+  [[nodiscard]] Pulses coupledPulses(const BeamHits& geometry, const PowerStage& power) const;
   [[nodiscard]] Echo toEcho(const Stretch& stretch) const;
-  void finish(std::vector<Echo>& echoes, core::Random& random, const core::Random::Key& key) const;
+  void finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
 
   ChainSettings settings_;
+  BeamProfile beam_profile_;
   std::vector<std::unique_ptr<Effect>> effects_;
-  std::vector<const Effect*> power_effects_;
+  std::vector<const Effect*> all_effects_;
+  std::vector<const Effect*> coupling_effects_;
+  std::vector<const Effect*> receiver_effects_;
+  std::vector<const Effect*> echo_effects_;
+  std::vector<Drawing> disturbing_effects_;
   std::vector<Drawing> fluctuating_effects_;
   std::vector<Drawing> reporting_effects_;
 };

@@ -3,13 +3,9 @@
 #include <span>
 #include <vector>
 
-namespace model {
+#include "model/signal/pulse.h"
 
-/// One Gaussian pulse in the received signal.
-struct Pulse {
-  double range_m = 0.0;  ///< c/2 · time of its peak
-  double power_w = 0.0;
-};
+namespace model {
 
 /// A stretch of the waveform above a level, on the range axis (c/2 · time).
 struct Stretch {

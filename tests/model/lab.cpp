@@ -65,7 +65,7 @@ std::vector<Pulse> pulses(const Case& setup) {
   const LidarModel model = modelOf(setup);
   const TracedSample traced = traceSample(experiment, model, experiment.samples[0]);
   const SignalChain chain(model.sensor(""), model.effects, traced.situation.environment);
-  return chain.pulsesOf(traced.hits.beams[0], traced.hits.of(0), traced.situation.scene);
+  return chain.pulsesOf(traced.hits, 0, traced.situation.scene);
 }
 
 double power_w(const Case& setup) {

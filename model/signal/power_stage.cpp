@@ -1,0 +1,151 @@
+#include "model/signal/power_stage.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace model {
+
+namespace {
+
+/// One pulse per object, in the order in which the objects are met; ranges are weighted with power.
+void pulsePerObject(const TracedBeams& traced, std::size_t beam, std::span<const double> power_w,
+                    std::vector<std::int32_t>& objects, std::vector<Pulse>& out) {
+  const std::size_t first = traced.hits.first[traced.first_beam], begin = traced.hits.first[traced.first_beam + beam];
+  const std::size_t end = traced.hits.first[traced.first_beam + beam + 1];
+  objects.clear();
+  const std::size_t before = out.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::int32_t object = traced.hits.object[i];
+    std::size_t known = 0;
+    while (known < objects.size() && objects[known] != object) ++known;
+    if (known == objects.size()) {
+      objects.push_back(object);
+      out.push_back({});
+    }
+    Pulse& pulse = out[before + known];
+    pulse.range_m += power_w[i - first] * traced.hits.range_m[i];  // divided by the power below
+    pulse.power_w += power_w[i - first];
+  }
+  for (std::size_t p = before; p < out.size(); ++p) {
+    if (out[p].power_w > 0.0) out[p].range_m /= out[p].power_w;
+  }
+}
+
+}  // namespace
+
+void Pulses::clear() {
+  first.assign(1, 0);
+  pulses.clear();
+}
+
+void Pulses::add(std::span<const Pulse> of_next_beam) {
+  pulses.insert(pulses.end(), of_next_beam.begin(), of_next_beam.end());
+  first.push_back(static_cast<std::uint32_t>(pulses.size()));
+}
+
+PowerStage::PowerStage(const ChainSettings& settings, std::span<const Effect* const> effects, const Scene& scene)
+    : settings_(settings), scene_(scene) {
+  const double diameter_m = settings.receiver.aperture_diameter_m;
+  constant_w_m2_ =
+      settings.emitter.peak_power_w * settings.receiver.efficiency * std::numbers::pi / 4.0 * diameter_m * diameter_m;
+  for (const SceneObject& object : scene.objects) {
+    materials_.push_back(&scene.materials[object.material]);
+    reflectivity_over_pi_.push_back(materials_.back()->reflectivity / std::numbers::pi);
+  }
+  for (const Effect* effect : effects) {
+    if (effect->changesPower()) power_effects_.push_back(effect);
+    if (effect->addsPulses()) pulse_effects_.push_back(effect);
+  }
+}
+
+BeamView PowerStage::viewOf(const Beam& beam, const HitsOfBeam& hits, const SubRays& rays) const {
+  return {beam, hits, scene_, settings_, rays, constant_w_m2_ * beam.gain};
+}
+
+void PowerStage::weaken(const TracedBeams& traced, std::size_t begin, const Effect& effect,
+                        std::span<double> power_w) const {
+  const Hits& hits = traced.hits;
+  if (effect.weakensInBulk()) {
+    effect.weaken({std::span(hits.range_m).subspan(begin, power_w.size()),
+                   std::span(hits.cos_incidence).subspan(begin, power_w.size()),
+                   std::span(hits.object).subspan(begin, power_w.size()), materials_, power_w});
+    return;
+  }
+  for (std::size_t b = 0; b < traced.beams.size(); ++b) {
+    for (std::size_t i = hits.first[traced.first_beam + b]; i < hits.first[traced.first_beam + b + 1]; ++i) {
+      power_w[i - begin] *= effect.powerFactor({traced.beams[b],
+                                                traced.rays.left_rad[hits.ray[i]],
+                                                traced.rays.up_rad[hits.ray[i]],
+                                                hits.range_m[i],
+                                                hits.cos_incidence[i],
+                                                *materials_[static_cast<std::size_t>(hits.object[i])],
+                                                {}});
+    }
+  }
+}
+
+void PowerStage::powersOf(const TracedBeams& traced, std::vector<double>& power_w) const {
+  const Hits& hits = traced.hits;
+  const std::size_t begin = hits.first[traced.first_beam], end = hits.first[traced.first_beam + traced.beams.size()];
+  power_w.resize(end - begin);
+  for (std::size_t b = 0; b < traced.beams.size(); ++b) {
+    const double constant_w_m2 = constant_w_m2_ * traced.beams[b].gain;
+    for (std::size_t i = hits.first[traced.first_beam + b]; i < hits.first[traced.first_beam + b + 1]; ++i) {
+      power_w[i - begin] = constant_w_m2 * traced.rays.weight[hits.ray[i]] *
+                           reflectivity_over_pi_[static_cast<std::size_t>(hits.object[i])] *
+                           static_cast<double>(hits.cos_incidence[i]) / (hits.range_m[i] * hits.range_m[i]);
+    }
+  }
+  for (const Effect* effect : power_effects_) weaken(traced, begin, *effect, power_w);
+}
+
+double PowerStage::powerOf(const Beam& beam, const SubRays& rays, const SecondHit& second) const {
+  std::array<Crossing, SecondHit::kMostTurns> crossings;
+  for (std::size_t t = 0; t < second.turn_count; ++t) {
+    const Turn& turn = second.turns[t];
+    crossings[t] = {turn.mirrored ? Crossing::Way::kMirrored : Crossing::Way::kThrough,
+                    materials_[static_cast<std::size_t>(turn.object)], turn.cos_incidence};
+  }
+  const Hit& hit = second.hit;
+  const auto object = static_cast<std::size_t>(hit.object);
+  const Reflection reflection{beam,
+                              rays.left_rad[hit.ray],
+                              rays.up_rad[hit.ray],
+                              hit.range_m,
+                              hit.cos_incidence,
+                              *materials_[object],
+                              std::span(crossings).first(second.turn_count)};
+  double power_w = constant_w_m2_ * beam.gain * rays.weight[hit.ray] * reflectivity_over_pi_[object] *
+                   static_cast<double>(hit.cos_incidence) / (hit.range_m * hit.range_m);
+  for (const Effect* effect : power_effects_) power_w *= effect->powerFactor(reflection);
+  return power_w;
+}
+
+void PowerStage::receive(const TracedBeams& traced, Scratch& scratch, Pulses& out) const {
+  powersOf(traced, scratch.power_w);
+  out.clear();
+  const std::size_t begin = traced.hits.first[traced.first_beam];
+  for (std::size_t b = 0; b < traced.beams.size(); ++b) {
+    const Beam& beam = traced.beams[b];
+    std::vector<Pulse>& pulses = scratch.of_beam;
+    pulses.clear();
+    if (settings_.broadens_pulses) {
+      for (std::size_t i = traced.hits.first[traced.first_beam + b]; i < traced.hits.first[traced.first_beam + b + 1];
+           ++i) {
+        pulses.push_back({traced.hits.range_m[i], scratch.power_w[i - begin]});
+      }
+    } else {
+      pulsePerObject(traced, b, scratch.power_w, scratch.objects, pulses);
+    }
+    for (const SecondHit& second : traced.secondOf(b)) {
+      pulses.push_back({second.hit.range_m, powerOf(beam, traced.rays, second)});
+    }
+    if (!pulse_effects_.empty()) {
+      const HitsOfBeam hits = traced.hitsOf(b);
+      for (const Effect* effect : pulse_effects_) effect->addPulses(viewOf(beam, hits, traced.rays), pulses);
+    }
+    out.add(pulses);
+  }
+}
+
+}  // namespace model
