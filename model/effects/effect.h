@@ -120,7 +120,7 @@ struct BeamView {
   const HitsOfBeam& hits;  ///< what its sub-rays met first
   const Scene& scene;
   const ChainSettings& settings;
-  const SubRays& rays;     ///< of the beam; a hit names its own
+  const SubRays& rays;  ///< of the beam; a hit names its own
   /// η A_r P_t of this beam: received power of a surface = this · w · β cos θ / r². [W m²]
   double power_constant_w_m2;
 };
