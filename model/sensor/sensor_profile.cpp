@@ -1,6 +1,7 @@
 #include "model/sensor/sensor_profile.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -33,11 +34,33 @@ AngularSize readDivergence(core::JsonObject& parent) {
   return size;
 }
 
+/// `pulse_shape` brings its own width; a width beside it must be the same (it tells ns from ps).
+void readPulse(core::JsonObject& object, Emitter& emitter) {
+  constexpr double kAgreement = 0.05;
+  const bool measured = object.has("pulse_shape");
+  const auto given_ns = object.optionalNumber("pulse_fwhm_ns", kPositive);
+  if (!measured) {
+    emitter.pulse_fwhm_ns = object.number("pulse_fwhm_ns", kPositive);
+    return;
+  }
+  core::JsonObject shape = object.object("pulse_shape");
+  const auto file = shape.file().parent_path() / shape.text("file");
+  emitter.pulse_shape = readPulseShape(file, shape.optionalNumber("step_ns", kPositive));
+  shape.finish();
+  emitter.pulse_fwhm_ns = emitter.pulse_shape.width();
+  if (given_ns && std::abs(*given_ns / emitter.pulse_fwhm_ns - 1.0) > kAgreement) {
+    object.fail("pulse_fwhm_ns",
+                "is " + core::significant(*given_ns) + " ns, but the pulse in " + file.string() + " is " +
+                    core::significant(emitter.pulse_fwhm_ns) + " ns wide.",
+                "Leave pulse_fwhm_ns out: the measured pulse has its own width.");
+  }
+}
+
 Emitter readEmitter(core::JsonObject object) {
   Emitter emitter;
   emitter.wavelength_nm = object.number("wavelength_nm", {.min = 200.0, .max = 20000.0});
   emitter.peak_power_w = object.number("peak_power_w", kPositive);
-  emitter.pulse_fwhm_ns = object.number("pulse_fwhm_ns", kPositive);
+  readPulse(object, emitter);
   if (object.has("divergence_rad")) emitter.divergence = readDivergence(object);
   emitter.beam_profile = object.choiceOr("beam_profile", {"uniform", "gaussian"}, "uniform") == "gaussian"
                              ? BeamProfile::kGaussian

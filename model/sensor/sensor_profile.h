@@ -7,6 +7,7 @@
 
 #include "core/json_object.h"
 #include "model/sensor/scan.h"
+#include "model/signal/pulse_shape.h"
 
 namespace model {
 
@@ -23,6 +24,7 @@ struct Emitter {
   double wavelength_nm = 905.0;
   double peak_power_w = 0.0;
   double pulse_fwhm_ns = 0.0;
+  PulseShape pulse_shape;  ///< Gaussian unless it was measured
   AngularSize divergence;
   BeamProfile beam_profile = BeamProfile::kUniform;
 };
