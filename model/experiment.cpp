@@ -323,6 +323,18 @@ core::Detections insideGate(const core::Detections& detections, const Situation&
   return core::selected(detections, inside);
 }
 
+namespace {
+
+/// The measured pulse of a sensor that stands in the experiment itself; "" if there is none.
+std::string pulseFileOf(const Experiment& experiment, const Sample& sample) {
+  const auto sensor =
+      sample.sensor.empty() ? json::json_pointer("/sensor") : json::json_pointer("/sensors") / sample.sensor;
+  const auto file = sensor / "emitter" / "pulse_shape" / "file";
+  return experiment.json.contains(file) ? experiment.json.at(file).get<std::string>() : "";
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const Sample& sample) {
   std::vector<std::filesystem::path> files{experiment.file};
   if (!sample.measurements.empty()) files.push_back(sample.measurements);
@@ -331,6 +343,11 @@ std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const S
   for (const SceneObject& object : situation.scene.objects) {
     if (const auto* mesh = std::get_if<Mesh>(&object.shape)) files.push_back(mesh->file);
   }
+  for (const Material& material : situation.scene.materials) {
+    files.insert(files.end(), material.files.begin(), material.files.end());
+  }
+  const std::string pulse = pulseFileOf(experiment, sample);
+  if (!pulse.empty()) files.push_back(experiment.folder() / pulse);
   return files;
 }
 

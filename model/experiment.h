@@ -112,7 +112,8 @@ using EpistemicOffsets = std::vector<double>;
 [[nodiscard]] core::Detections insideGate(const core::Detections& detections, const Situation& situation,
                                           const Gate& gate);
 
-/// The files that a sample's evaluation depends on: experiment.json, measurements, beams and meshes.
+/// The files that a sample's evaluation depends on: experiment.json, measurements, beams, meshes and
+/// tables of materials and measured pulse.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const Sample& sample);
 
 }  // namespace model

@@ -1,21 +1,13 @@
-#include <algorithm>
-#include <cmath>
-
 #include "model/effects/declarations.h"
+#include "model/material/retroreflector.h"
 
 namespace model::effects {
 
 namespace {
 
-/// Corner cubes and glass beads send the light back where it came from. On materials whose BRDF is `retroreflector`:
-///
-///   P = P_lambertian · (1 + (gain - 1) · 2^-(θ/θ_h)²)
-///
-///   gain  return at normal incidence over that of a Lambertian of the same reflectivity
-///   θ_h   entrance angle at which the surplus has fallen to one half (`half_width_rad`)
-///
-/// Sender and receiver are one, so the observation angle is zero. Parameters given here replace the materials' own.
-/// Source: ASTM E808-01 (geometry); Lloyd 2008, Retroreflection, ch. 2 (entrance angularity).
+/// Corner cubes and glass beads send the light back where it came from, on materials whose BRDF is `retroreflector`
+/// (model/material/retroreflector.h). Sender and receiver are one, so the observation angle is zero. Parameters given
+/// here replace the materials' own.
 class Retroreflection final : public Effect {
  public:
   explicit Retroreflection(const EffectParameters& parameters)
@@ -25,9 +17,9 @@ class Retroreflection final : public Effect {
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
     const Brdf& brdf = reflection.material.brdf;
     if (brdf.model != BrdfModel::kRetroreflector) return 1.0;
-    const double angle =
-        std::acos(std::clamp(reflection.cos_incidence, 0.0, 1.0)) / half_width_rad_.value_or(brdf.half_width_rad);
-    return 1.0 + (gain_.value_or(brdf.gain) - 1.0) * std::exp2(-angle * angle);
+    return Retroreflector{.gain = gain_.value_or(brdf.gain),
+                          .half_width_rad = half_width_rad_.value_or(brdf.half_width_rad)}
+        .monostaticFactor(reflection.cos_incidence);
   }
 
  private:

@@ -20,5 +20,33 @@ TEST(Material, FaultsAreNamedWithPointer) {
             std::string::npos);
 }
 
+TEST(Material, ModelsThatMirrorNeedADiffuseRest) {
+  EXPECT_NE(refusalOf({{"pane", {{"reflectivity", 0.0}, {"brdf", {{"model", "glass"}}}}}}).find("/materials/pane/brdf"),
+            std::string::npos);
+  EXPECT_NE(refusalOf({{"paint", {{"reflectivity", 0.1}, {"brdf", {{"model", "cook-torrance"}}}}}})
+                .find("roughness: is missing"),
+            std::string::npos);
+}
+
+TEST(Material, RetroreflectorsDoNotMakeLight) {
+  EXPECT_NE(refusalOf({{"sheet",
+                        {{"reflectivity", 0.5},
+                         {"brdf",
+                          {{"model", "retroreflector"},
+                           {"gain", 1e4},
+                           {"half_width_rad", 0.5},
+                           {"observation_half_width_rad", 0.01}}}}}})
+                .find("times the light"),
+            std::string::npos);
+}
+
+TEST(Material, RefractiveIndexIsANumberOrAnObject) {
+  EXPECT_NE(
+      refusalOf({{"m", {{"reflectivity", 0.5}, {"refractive_index", 0.5}}}}).find("/materials/m/refractive_index"),
+      std::string::npos);
+  EXPECT_NE(refusalOf({{"m", {{"reflectivity", 0.5}, {"refractive_index", {{"k", 1.0}}}}}}).find("n: is missing"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace model
