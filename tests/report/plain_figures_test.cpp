@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "report/bar_figure.h"
+#include "report/curve_figure.h"
 #include "report/map_figure.h"
 #include "tests/report/svg_reader.h"
 
@@ -52,6 +53,23 @@ TEST(BarFigure, SurvivesNoBarsAndNumbersThatAreNone) {
   BarFigure bars{.title = "Causes"};
   bars.bars = {{"a", std::numeric_limits<double>::infinity(), std::nullopt, false}, {"b", 0.0, std::nullopt, false}};
   report_test::expectSvgTiny(barFigure(bars));
+}
+
+TEST(CurveFigure, DrawsALineForEveryStretchOfFiniteValues) {
+  const double none = std::nan("");
+  CurveFigure curves{.title = "Return", .x_name = "angle in °", .y_name = "dB", .x = {0, 1, 2, 3, 4}};
+  curves.curves = {{"paint <red>", {1, 2, none, 2, 1}}, {"glass", {5, 5, 5, 5, 5}}};
+  const std::string svg = curveFigure(curves);
+  report_test::expectSvgTiny(svg);
+  std::size_t lines = 0;
+  for (std::size_t at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1)) ++lines;
+  EXPECT_EQ(lines, 3u);
+  EXPECT_THAT(svg, HasSubstr("paint &lt;red&gt;"));
+}
+
+TEST(CurveFigure, SurvivesNothing) {
+  report_test::expectSvgTiny(curveFigure({.title = "none"}));
+  report_test::expectSvgTiny(curveFigure({.title = "none", .x = {1}, .curves = {{"a", {std::nan("")}}}}));
 }
 
 }  // namespace
