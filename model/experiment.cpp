@@ -280,47 +280,31 @@ core::Detections readMeasurements(const Experiment& experiment, const Sample& sa
   return core::readDetections(sample.measurements, experiment.columns);
 }
 
-namespace {
-
-/// The object's own box: lowest and highest corner in its local frame.
-std::pair<Vector3, Vector3> localBox(const Shape& shape) {
-  if (!std::holds_alternative<Mesh>(shape)) {
-    const Vector3 half = halfExtents(shape);
-    return {{-half[0], -half[1], -half[2]}, half};
-  }
-  const Triangles triangles = trianglesOf(shape);
-  std::pair<Vector3, Vector3> box{triangles.vertices.front(), triangles.vertices.front()};
-  for (const Vector3& vertex : triangles.vertices) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.first[k] = std::min(box.first[k], vertex[k]);
-      box.second[k] = std::max(box.second[k], vertex[k]);
-    }
-  }
-  return box;
-}
-
-}  // namespace
-
-core::Detections insideGate(const core::Detections& detections, const Situation& situation, const Gate& gate) {
+std::vector<std::size_t> indicesInsideGate(const core::Detections& detections, const Situation& situation,
+                                           const Gate& gate) {
   const auto object = std::find_if(situation.scene.objects.begin(), situation.scene.objects.end(),
                                    [&](const SceneObject& o) { return o.id == gate.object; });
-  if (object == situation.scene.objects.end()) return {};
-  const auto [low, high] = localBox(object->shape);
-  const auto within = [&, low = low, high = high](std::size_t i) {
+  if (object == situation.scene.objects.end() || !detections.hasDirections()) return {};
+  const Bounds box = localBounds(object->shape);
+  const auto within = [&](std::size_t i) {
     const double ce = std::cos(detections.elevation_rad[i]);
     const Vector3 local = object->pose.toLocal({detections.range_m[i] * ce * std::cos(detections.azimuth_rad[i]),
                                                 detections.range_m[i] * ce * std::sin(detections.azimuth_rad[i]),
                                                 detections.range_m[i] * std::sin(detections.elevation_rad[i])});
     for (std::size_t k = 0; k < 3; ++k) {
-      if (local[k] < low[k] - gate.margin_m || local[k] > high[k] + gate.margin_m) return false;
+      if (local[k] < box.low[k] - gate.margin_m || local[k] > box.high[k] + gate.margin_m) return false;
     }
     return true;
   };
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < detections.size(); ++i) {
-    if (detections.hasDirections() && within(i)) inside.push_back(i);
+    if (within(i)) inside.push_back(i);
   }
-  return core::selected(detections, inside);
+  return inside;
+}
+
+core::Detections insideGate(const core::Detections& detections, const Situation& situation, const Gate& gate) {
+  return core::selected(detections, indicesInsideGate(detections, situation, gate));
 }
 
 namespace {

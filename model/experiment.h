@@ -111,6 +111,9 @@ using EpistemicOffsets = std::vector<double>;
 /// Detections inside the object's box, widened by the margin on all sides. The box is the nominal one.
 [[nodiscard]] core::Detections insideGate(const core::Detections& detections, const Situation& situation,
                                           const Gate& gate);
+/// The same as indices, in their order; none if directions were not recorded.
+[[nodiscard]] std::vector<std::size_t> indicesInsideGate(const core::Detections& detections, const Situation& situation,
+                                                         const Gate& gate);
 
 /// The files that a sample's evaluation depends on: experiment.json, measurements, beams, meshes and
 /// tables of materials and measured pulse.

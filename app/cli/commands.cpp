@@ -9,6 +9,7 @@ void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMaterialsCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
+void addObjectsCommand(CLI::App& program, Session& session);
 void addPredictCommand(CLI::App& program, Session& session);
 void addSensitivityCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
@@ -21,9 +22,9 @@ void addValidityCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,   addCepraCommand,   addSpecCommand,      addAcceptCommand, addMetricCommand,
-      addValidityCommand, addPredictCommand, addSimulateCommand,  addGapCommand,    addSensitivityCommand,
-      addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
+      addImportCommand,      addCepraCommand,   addSpecCommand,     addAcceptCommand,    addMetricCommand,
+      addValidityCommand,    addPredictCommand, addSimulateCommand, addObjectsCommand,   addGapCommand,
+      addSensitivityCommand, addEffectsCommand, addSensorsCommand,  addMaterialsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -1,5 +1,6 @@
 #include "model/scene/triangles.h"
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
@@ -105,6 +106,22 @@ Triangles trianglesOf(const Shape& shape) {
   }
   if (const auto* m = std::get_if<Mesh>(&shape)) return meshTriangles(*m);
   return {};
+}
+
+Bounds localBounds(const Shape& shape) {
+  if (!std::holds_alternative<Mesh>(shape)) {
+    const Vector3 half = halfExtents(shape);
+    return {{-half[0], -half[1], -half[2]}, half};
+  }
+  const Triangles triangles = trianglesOf(shape);
+  Bounds bounds{triangles.vertices.front(), triangles.vertices.front()};
+  for (const Vector3& vertex : triangles.vertices) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds.low[k] = std::min(bounds.low[k], vertex[k]);
+      bounds.high[k] = std::max(bounds.high[k], vertex[k]);
+    }
+  }
+  return bounds;
 }
 
 }  // namespace model

@@ -17,4 +17,11 @@ struct Triangles {
 /// The surface of a shape; spheres are not triangulated (empty). Meshes are read through assimp.
 [[nodiscard]] Triangles trianglesOf(const Shape& shape);
 
+/// Lowest and highest corner of a shape in its local frame; infinite where a plane has no end. Meshes are read.
+struct Bounds {
+  Vector3 low{};
+  Vector3 high{};
+};
+[[nodiscard]] Bounds localBounds(const Shape& shape);
+
 }  // namespace model
