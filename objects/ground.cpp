@@ -26,10 +26,14 @@ bool isLevelAndDeep(const GroundPlane& plane, const GroundFit& options) {
          plane.height_m <= -options.least_depth_m;
 }
 
+bool isNear(const Vector3& point, const GroundPlane& plane, double tolerance_m) {
+  return std::abs(point[2] - plane.at(point[0], point[1])) <= tolerance_m;
+}
+
 std::vector<std::size_t> nearPlane(std::span<const Vector3> points, const GroundPlane& plane, double tolerance_m) {
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::abs(points[i][2] - plane.at(points[i][0], points[i][1])) <= tolerance_m) near.push_back(i);
+    if (isNear(points[i], plane, tolerance_m)) near.push_back(i);
   }
   return near;
 }
@@ -114,17 +118,22 @@ Ground groundOf(const model::Scene& scene) {
 std::optional<GroundPlane> fitGround(std::span<const Vector3> points, const GroundFit& options, core::Random random) {
   if (points.size() < 3) return std::nullopt;
   const auto any = [&]() -> const Vector3& { return points[random.below(static_cast<std::uint32_t>(points.size()))]; };
-  std::vector<std::size_t> best;
+  GroundPlane best_plane;
+  std::ptrdiff_t most = 0;
   for (int i = 0; i < options.tries; ++i) {
     const Vector3 &a = any(), &b = any(), &c = any();
     const auto plane = through(a, b, c);
     if (!plane || !isLevelAndDeep(*plane, options)) continue;
-    auto near = nearPlane(points, *plane, options.tolerance_m);
-    if (near.size() > best.size()) best = std::move(near);
+    const auto near = std::count_if(points.begin(), points.end(),
+                                    [&](const Vector3& p) { return isNear(p, *plane, options.tolerance_m); });
+    if (near > most) {
+      most = near;
+      best_plane = *plane;
+    }
   }
-  if (best.size() < 3 || static_cast<double>(best.size()) < options.least_share * static_cast<double>(points.size())) {
-    return std::nullopt;
-  }
+  if (most < 3) return std::nullopt;
+  const std::vector<std::size_t> best = nearPlane(points, best_plane, options.tolerance_m);
+  if (static_cast<double>(most) < options.least_share * static_cast<double>(points.size())) return std::nullopt;
   const Moments moments(points, best);
   if (moments.narrowSpread() < options.least_spread_m) return std::nullopt;
   const GroundPlane plane = moments.plane();

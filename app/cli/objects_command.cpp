@@ -85,7 +85,7 @@ void tell(const Session& session, const objects::ObjectList& list, bool referenc
 }
 
 void run(const Options& options, Session& session) {
-  if (!options.reference && options.out.empty() && options.json.empty()) {
+  if (options.out.empty() && options.json.empty()) {
     throw core::InputError({.item = "--out"}, "is missing.", "Name a new folder, or --json FILE.");
   }
   if (!options.out.empty()) mustBeNew(options.out);

@@ -312,7 +312,7 @@ TEST_F(ObjectsCommand, SaysWhatIsWrong) {
   EXPECT_THAT(messageFor({path("nowhere"), "--out", path("x")}), HasSubstr("nowhere"));
   EXPECT_THAT(messageFor({path("simulated")}), HasSubstr("--out"));
   EXPECT_THAT(messageFor({path("simulated"), "--out", path("street")}), HasSubstr("not an empty folder"));
-  EXPECT_THAT(messageFor({path("simulated"), "--out", path("x"), "--sample", "t"}), HasSubstr("Known are s"));
+  EXPECT_THAT(messageFor({path("simulated"), "--out", path("x"), "--sample", "t"}), HasSubstr("Did you mean 's'?"));
   EXPECT_THAT(messageFor({path("simulated"), "--out", path("x"), "--reference-point", "bumper"}),
               HasSubstr("nearest-corner"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
