@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/multiversion.h"
 #include "core/parallel.h"
 
 namespace model {
@@ -15,46 +16,54 @@ constexpr double kNearest_m = 1e-3;
 constexpr double kStepOff_m = 1e-4;
 constexpr std::size_t kLanes = RayPacket::kRays;
 
-enum Axis : std::size_t { kForwardX, kForwardY, kForwardZ, kLeftX, kLeftY, kUpX, kUpY, kUpZ, kAxes };
-enum Part : std::size_t { kForward, kLeft, kUp, kParts };
-
-std::vector<float> axesOf(std::span<const Beam> beams) {
-  std::vector<float> axes;
-  axes.reserve(kAxes * beams.size());
+std::vector<BeamAxes> axesOf(std::span<const Beam> beams) {
+  std::vector<BeamAxes> axes;
+  axes.reserve(beams.size());
   for (const Beam& beam : beams) {
     const double ca = std::cos(beam.azimuth_rad), sa = std::sin(beam.azimuth_rad);
     const double ce = std::cos(beam.elevation_rad), se = std::sin(beam.elevation_rad);
-    for (const double component : {ce * ca, ce * sa, se, -sa, ca, -se * ca, -se * sa, ce}) {
-      axes.push_back(static_cast<float>(component));
-    }
+    const auto f = [](double component) { return static_cast<float>(component); };
+    axes.push_back({{f(ce * ca), f(ce * sa), f(se)}, {f(-sa), f(ca)}, {f(-se * ca), f(-se * sa), f(ce)}});
   }
   return axes;
 }
 
-std::vector<float> offsetsOf(const SubRays& rays) {
-  std::vector<float> offsets;
+RayOffsets offsetsOf(const SubRays& rays) {
+  RayOffsets offsets;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const double l = std::tan(rays.left_rad[i]), u = std::tan(rays.up_rad[i]);
     const double length = std::sqrt(1.0 + l * l + u * u);
-    for (const double part : {1.0 / length, l / length, u / length}) offsets.push_back(static_cast<float>(part));
+    offsets.forward.push_back(static_cast<float>(1.0 / length));
+    offsets.left.push_back(static_cast<float>(l / length));
+    offsets.up.push_back(static_cast<float>(u / length));
   }
   return offsets;
 }
 
-/// Unit direction of one sub-ray into a lane.
-void aimLane(RayPacket& packet, std::size_t lane, const float* axis, const float* part) {
-  packet.direction_x[lane] = part[kForward] * axis[kForwardX] + part[kLeft] * axis[kLeftX] + part[kUp] * axis[kUpX];
-  packet.direction_y[lane] = part[kForward] * axis[kForwardY] + part[kLeft] * axis[kLeftY] + part[kUp] * axis[kUpY];
-  packet.direction_z[lane] = part[kForward] * axis[kForwardZ] + part[kUp] * axis[kUpZ];
+/// Unit directions of `count` sub-rays of one beam, from sub-ray `ray` on, into the lanes from `lane` on.
+void aimLanes(RayPacket& packet, std::size_t lane, std::size_t count, const BeamAxes& axes, const RayOffsets& offsets,
+              std::size_t ray) {
+  const float* forward = &offsets.forward[ray];
+  const float* left = &offsets.left[ray];
+  const float* up = &offsets.up[ray];
+  float* x = packet.direction_x + lane;
+  float* y = packet.direction_y + lane;
+  float* z = packet.direction_z + lane;
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] = forward[i] * axes.forward[0] + left[i] * axes.left[0] + up[i] * axes.up[0];
+    y[i] = forward[i] * axes.forward[1] + left[i] * axes.left[1] + up[i] * axes.up[1];
+    z[i] = forward[i] * axes.forward[2] + up[i] * axes.up[2];
+  }
 }
 
 /// |cos| of the incidence angles of a packet: d and the normal, which is not of unit length.
-void cosinesOf(const RayPacket& p, float* cosines) {
+FIDELIS_FOR_EVERY_PROCESSOR void cosinesOf(const RayPacket& p, float* __restrict cosines) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const float along =
         p.direction_x[i] * p.normal_x[i] + p.direction_y[i] * p.normal_y[i] + p.direction_z[i] * p.normal_z[i];
     const float square = p.normal_x[i] * p.normal_x[i] + p.normal_y[i] * p.normal_y[i] + p.normal_z[i] * p.normal_z[i];
-    cosines[i] = std::min(1.0F, std::abs(along) / std::sqrt(square));
+    const float cosine = std::fabs(along) / std::sqrt(square);
+    cosines[i] = cosine < 1.0F ? cosine : 1.0F;
   }
 }
 
@@ -89,47 +98,92 @@ void GeometryPass::aimPackets(std::size_t begin, std::size_t end, std::vector<Ra
   packets.resize(needed);
   for (std::size_t p = 0; p < needed; ++p) p < had ? packets[p].rewind() : packets[p].reset(origin_m_);
   std::size_t at = 0;
-  const auto aim = [&](std::size_t beam, std::size_t ray) {
-    RayPacket& packet = packets[at / kLanes];
-    aimLane(packet, at % kLanes, &axes_[kAxes * beam], &offsets_[kParts * ray]);
-    if (timed_) packet.time[at % kLanes] = tracer_.timeOf(beams_[beam].scene_time_s);
-    ++at;
-  };
   for (std::size_t b = begin; b < end; ++b) {
-    for (std::size_t r = 0; r < per_beam; ++r) aim(b, r);
+    const float time = timed_ ? tracer_.timeOf(beams_[b].scene_time_s) : 0.0F;
+    for (std::size_t r = 0; r < per_beam;) {
+      RayPacket& packet = packets[at / kLanes];
+      const std::size_t lane = at % kLanes, run = std::min(kLanes - lane, per_beam - r);
+      aimLanes(packet, lane, run, axes_[b], offsets_, r);
+      if (timed_) std::fill_n(packet.time + lane, run, time);
+      r += run;
+      at += run;
+    }
   }
-  while (at < needed * kLanes) aim(end - 1, per_beam - 1);
+  for (; at < needed * kLanes; ++at) {
+    aimLanes(packets[at / kLanes], at % kLanes, 1, axes_[end - 1], offsets_, per_beam - 1);
+  }
 }
+
+namespace {
+
+/// Which lanes of a packet met something, one bit each.
+std::uint32_t metLanes(const RayPacket& packet) {
+  std::uint32_t met = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const bool counts = packet.geometry[lane] != RayPacket::kNothing &&
+                        packet.range_m[lane] >= static_cast<float>(kNearest_m);
+    met |= static_cast<std::uint32_t>(counts) << lane;
+  }
+  return met;
+}
+
+/// Room for hits that are written one packet at a time.
+struct Rows {
+  explicit Rows(Hits& hits, std::size_t most) {
+    hits.range_m.resize(most);
+    hits.cos_incidence.resize(most);
+    hits.object.resize(most);
+    hits.ray.resize(most);
+    range_m = hits.range_m.data();
+    cosine = hits.cos_incidence.data();
+    object = hits.object.data();
+    ray = hits.ray.data();
+  }
+  double* range_m;
+  float* cosine;
+  std::int32_t* object;
+  std::uint32_t* ray;
+  std::size_t kept = 0;
+
+  void take(const RayPacket& packet, const float* cosines, std::size_t lane, std::size_t count, std::size_t first_ray) {
+    for (std::size_t i = 0; i < count; ++i) range_m[kept + i] = static_cast<double>(packet.range_m[lane + i]);
+    for (std::size_t i = 0; i < count; ++i) cosine[kept + i] = cosines[lane + i];
+    for (std::size_t i = 0; i < count; ++i) object[kept + i] = static_cast<std::int32_t>(packet.geometry[lane + i]);
+    for (std::size_t i = 0; i < count; ++i) ray[kept + i] = static_cast<std::uint32_t>(first_ray + i);
+    kept += count;
+  }
+};
+
+}  // namespace
 
 void GeometryPass::collect(std::size_t begin, std::size_t end, Tile& tile) const {
   const std::size_t per_beam = rays_.size();
-  Hits& hits = tile.hits;
-  const std::size_t most = (end - begin) * per_beam;
-  hits.range_m.resize(most);
-  hits.cos_incidence.resize(most);
-  hits.object.resize(most);
-  hits.ray.resize(most);
-  std::size_t kept = 0, at = 0;
+  Rows rows(tile.hits, (end - begin) * per_beam);
   alignas(64) float cosines[kLanes];
+  std::uint32_t met = 0;
+  std::size_t at = 0;
   for (std::size_t b = begin; b < end; ++b) {
-    for (std::size_t r = 0; r < per_beam; ++r, ++at) {
+    for (std::size_t r = 0; r < per_beam;) {
       const RayPacket& packet = tile.packets[at / kLanes];
-      const std::size_t lane = at % kLanes;
-      if (lane == 0) cosinesOf(packet, cosines);
-      // Written in any case, kept if something was met: no branch that a processor could guess wrongly.
-      hits.range_m[kept] = static_cast<double>(packet.range_m[lane]);
-      hits.cos_incidence[kept] = cosines[lane];
-      hits.object[kept] = tracer_.objectOf(packet, lane);
-      hits.ray[kept] = static_cast<std::uint32_t>(r);
-      kept += static_cast<std::size_t>(packet.geometry[lane] != RayPacket::kNothing &&
-                                       packet.range_m[lane] >= static_cast<float>(kNearest_m));
+      const std::size_t lane = at % kLanes, run = std::min(kLanes - lane, per_beam - r);
+      if (lane == 0) {
+        cosinesOf(packet, cosines);
+        met = metLanes(packet);
+      }
+      const std::uint32_t wanted = ((1U << run) - 1U) << lane;
+      if ((met & wanted) == wanted) {
+        rows.take(packet, cosines, lane, run, r);
+      } else if ((met & wanted) != 0) {
+        for (std::size_t i = 0; i < run; ++i) {
+          if (met >> (lane + i) & 1U) rows.take(packet, cosines, lane + i, 1, r + i);
+        }
+      }
+      r += run;
+      at += run;
     }
-    hits.first.push_back(static_cast<std::uint32_t>(kept));
+    tile.hits.first.push_back(static_cast<std::uint32_t>(rows.kept));
   }
-  hits.range_m.resize(kept);
-  hits.cos_incidence.resize(kept);
-  hits.object.resize(kept);
-  hits.ray.resize(kept);
+  tile.hits.truncate(rows.kept);
 }
 
 void GeometryPass::collectExactly(std::size_t begin, std::size_t end, Tile& tile) const {
@@ -208,8 +262,13 @@ void GeometryPass::follow(std::size_t begin, std::size_t end, Tile& tile) const 
 void GeometryPass::trace(std::size_t begin, std::size_t end, Tile& tile) const {
   aimPackets(begin, end, tile.packets);
   tracer_.trace(tile.packets);
-  tile.hits.clear();
-  tracer_.allFaceted() ? collect(begin, end, tile) : collectExactly(begin, end, tile);
+  if (tracer_.allFaceted()) {
+    tile.hits.first.assign(1, 0);  // the rest is overwritten: clearing it first would cost a tenth of the time
+    collect(begin, end, tile);
+  } else {
+    tile.hits.clear();
+    collectExactly(begin, end, tile);
+  }
   if (second_.most_turns > 0) follow(begin, end, tile);
 }
 

@@ -14,6 +14,16 @@ struct SecondWays {
   std::vector<bool> mirrored;
 };
 
+/// A beam's own axes in single precision; its left axis is level.
+struct BeamAxes {
+  float forward[3], left[2], up[3];
+};
+
+/// Unit directions of sub-rays along the axes of their beam.
+struct RayOffsets {
+  std::vector<float> forward, left, up;
+};
+
 /// The first pass of the simulation: which sub-ray of which beam meets what. The directions of the beams are worked out
 /// once; `trace` then does one stretch of neighbouring beams and may be called from many threads, each with buffers of
 /// its own. Tracer and beams must outlive it.
@@ -48,8 +58,8 @@ class GeometryPass {
   Vector3 origin_m_;
   SecondWays second_;
   bool timed_ = false;
-  std::vector<float> axes_;     ///< per beam: forward x, y, z, left x, y, up x, y, z
-  std::vector<float> offsets_;  ///< per sub-ray: forward, left and up parts of its unit direction
+  std::vector<BeamAxes> axes_;
+  RayOffsets offsets_;
 };
 
 /// All beams on all cores. Same result for any number of threads.

@@ -9,6 +9,13 @@ void Hits::add(const Hit& hit) {
   ray.push_back(hit.ray);
 }
 
+void Hits::truncate(std::size_t size) {
+  range_m.resize(size);
+  cos_incidence.resize(size);
+  object.resize(size);
+  ray.resize(size);
+}
+
 void Hits::clear() {
   first.assign(1, 0);
   range_m.clear();

@@ -30,6 +30,7 @@ struct Hits {
   void add(const Hit& hit);
   void endBeam() { first.push_back(static_cast<std::uint32_t>(size())); }
   void clear();
+  void truncate(std::size_t size);
   /// Puts the beams of another behind the own ones.
   void append(const Hits& other);
 };
