@@ -58,7 +58,10 @@ json sensorJson() {
             {"pulse_fwhm_ns", 5.0},
             {"divergence_rad", {{"horizontal", 0.003}, {"vertical", 0.003}}}}},
           {"receiver",
-           {{"aperture_diameter_m", 0.03}, {"efficiency", 0.7}, {"noise_w", 1e-9}, {"threshold_w", 6e-9},
+           {{"aperture_diameter_m", 0.03},
+            {"efficiency", 0.7},
+            {"noise_w", 1e-9},
+            {"threshold_w", 6e-9},
             {"saturation_w", 1e-5}}},
           {"scan", {{"frame_rate_hz", 10}, {"layers", layers}}},
           {"detection",
@@ -102,7 +105,8 @@ void countRays(benchmark::State& state, std::size_t rays) {
 /// Everything that a simulation of the street needs, worked out once.
 struct Rig {
   explicit Rig(const json& effects, int rays)
-      : lidar(modelWith(effects, rays)), chain(lidar.sensor(""), lidar.effects, {}),
+      : lidar(modelWith(effects, rays)),
+        chain(lidar.sensor(""), lidar.effects, {}),
         beams(model::beamsOf(lidar.sensor("").scan)) {
     chain.aim(beams);
   }
@@ -112,7 +116,11 @@ struct Rig {
   model::GeometryPass pass{tracer(), beams, chain.subRays(lidar.rays_horizontal, lidar.rays_vertical)};
 };
 
-std::size_t grain(const Rig& rig) { const char* g = getenv("G"); std::size_t n = g ? atoi(g) : 4096; return std::max<std::size_t>(16, n / rig.pass.rays().size()); }
+std::size_t grain(const Rig& rig) {
+  const char* g = getenv("G");
+  std::size_t n = g ? atoi(g) : 4096;
+  return std::max<std::size_t>(16, n / rig.pass.rays().size());
+}
 
 /// Nothing but rays: directions from the beams' axes, first hits, one sum over the ranges.
 void bareEmbree(benchmark::State& state, bool robust) {

@@ -6,12 +6,17 @@
 
 namespace core {
 
-void Random::refill() {
-  r123::Philox4x32 philox;
+PhiloxKey philoxKeyOf(const Random::Key& key) {
   // 64 bits of key carry the seed; the counter carries what tells the streams apart. `purpose` and `sample` share
   // nothing with the block index, so no stream can run into another within 2^32 blocks.
-  const r123::Philox4x32::ukey_type key = {{static_cast<std::uint32_t>(key_.seed) ^ (key_.purpose * 0x9E3779B9u),
-                                            static_cast<std::uint32_t>(key_.seed >> 32) + key_.sample}};
+  return {static_cast<std::uint32_t>(key.seed) ^ (key.purpose * 0x9E3779B9u),
+          static_cast<std::uint32_t>(key.seed >> 32) + key.sample};
+}
+
+void Random::refill() {
+  r123::Philox4x32 philox;
+  const PhiloxKey own = philoxKeyOf(key_);
+  const r123::Philox4x32::ukey_type key = {{own[0], own[1]}};
   const r123::Philox4x32::ctr_type counter = {{block_, key_.frame, key_.beam, key_.purpose}};
   const auto words = philox(counter, key);
   for (int i = 0; i < 4; ++i) words_[i] = words[static_cast<std::size_t>(i)];

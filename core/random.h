@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace core {
@@ -37,6 +38,10 @@ class Random {
   double spare_normal_ = 0.0;
   bool has_spare_ = false;
 };
+
+/// The two words of the Philox key of a stream.
+using PhiloxKey = std::array<std::uint32_t, 2>;
+[[nodiscard]] PhiloxKey philoxKeyOf(const Random::Key& key);
 
 /// A stable number for the name of a purpose (FNV-1a).
 constexpr std::uint32_t purposeOf(const char* name) {

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/bulk_math.h"
 #include "model/effects/declarations.h"
 #include "model/extinction.h"
 
@@ -25,6 +28,18 @@ class AtmosphericAttenuation final : public Effect {
   [[nodiscard]] bool changesPower() const override { return true; }
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
     return std::exp(-2.0 * extinction_1_m_ * reflection.range_m);
+  }
+
+  [[nodiscard]] bool weakensInBulk() const override { return true; }
+  void weaken(const Returns& returns) const override {
+    constexpr std::size_t kPiece = 512;
+    std::array<double, kPiece> factor;
+    for (std::size_t begin = 0; begin < returns.range_m.size(); begin += kPiece) {
+      const std::size_t count = std::min(kPiece, returns.range_m.size() - begin);
+      for (std::size_t i = 0; i < count; ++i) factor[i] = -2.0 * extinction_1_m_ * returns.range_m[begin + i];
+      core::expOf(std::span(factor).first(count), factor);
+      for (std::size_t i = 0; i < count; ++i) returns.power_w[begin + i] *= factor[i];
+    }
   }
 
  private:

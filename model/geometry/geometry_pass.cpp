@@ -120,8 +120,8 @@ namespace {
 std::uint32_t metLanes(const RayPacket& packet) {
   std::uint32_t met = 0;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const bool counts = packet.geometry[lane] != RayPacket::kNothing &&
-                        packet.range_m[lane] >= static_cast<float>(kNearest_m);
+    const bool counts =
+        packet.geometry[lane] != RayPacket::kNothing && packet.range_m[lane] >= static_cast<float>(kNearest_m);
     met |= static_cast<std::uint32_t>(counts) << lane;
   }
   return met;

@@ -124,28 +124,39 @@ double PowerStage::powerOf(const Beam& beam, const SubRays& rays, const SecondHi
 void PowerStage::receive(const TracedBeams& traced, Scratch& scratch, Pulses& out) const {
   powersOf(traced, scratch.power_w);
   out.clear();
-  const std::size_t begin = traced.hits.first[traced.first_beam];
+  const std::vector<std::uint32_t>& first = traced.hits.first;
+  const std::size_t begin = first[traced.first_beam];
+  const bool straight = pulse_effects_.empty() && traced.first_second.empty();
   for (std::size_t b = 0; b < traced.beams.size(); ++b) {
-    const Beam& beam = traced.beams[b];
-    std::vector<Pulse>& pulses = scratch.of_beam;
-    pulses.clear();
-    if (settings_.broadens_pulses) {
-      for (std::size_t i = traced.hits.first[traced.first_beam + b]; i < traced.hits.first[traced.first_beam + b + 1];
-           ++i) {
-        pulses.push_back({traced.hits.range_m[i], scratch.power_w[i - begin]});
+    const std::size_t of_beam = first[traced.first_beam + b], end = first[traced.first_beam + b + 1];
+    if (end == of_beam + 1) {
+      out.pulses.push_back({traced.hits.range_m[of_beam], scratch.power_w[of_beam - begin]});
+    } else if (settings_.broadens_pulses) {
+      for (std::size_t i = of_beam; i < end; ++i) {
+        out.pulses.push_back({traced.hits.range_m[i], scratch.power_w[i - begin]});
       }
     } else {
-      pulsePerObject(traced, b, scratch.power_w, scratch.objects, pulses);
+      pulsePerObject(traced, b, scratch.power_w, scratch.objects, out.pulses);
     }
-    for (const SecondHit& second : traced.secondOf(b)) {
-      pulses.push_back({second.hit.range_m, powerOf(beam, traced.rays, second)});
-    }
-    if (!pulse_effects_.empty()) {
-      const HitsOfBeam hits = traced.hitsOf(b);
-      for (const Effect* effect : pulse_effects_) effect->addPulses(viewOf(beam, hits, traced.rays), pulses);
-    }
-    out.add(pulses);
+    if (!straight) receiveOtherwise(traced, b, scratch, out);
+    out.first.push_back(static_cast<std::uint32_t>(out.pulses.size()));
   }
+}
+
+/// What reaches the receiver by way of panes and mirrors, and what effects add. These see the pulses of this beam only.
+void PowerStage::receiveOtherwise(const TracedBeams& traced, std::size_t b, Scratch& scratch, Pulses& out) const {
+  std::vector<Pulse>& pulses = scratch.of_beam;
+  const auto begin = out.pulses.begin() + static_cast<std::ptrdiff_t>(out.first.back());
+  pulses.assign(begin, out.pulses.end());
+  out.pulses.erase(begin, out.pulses.end());
+  for (const SecondHit& second : traced.secondOf(b)) {
+    pulses.push_back({second.hit.range_m, powerOf(traced.beams[b], traced.rays, second)});
+  }
+  const HitsOfBeam hits = traced.hitsOf(b);
+  for (const Effect* effect : pulse_effects_) {
+    effect->addPulses(viewOf(traced.beams[b], hits, traced.rays), pulses);
+  }
+  out.pulses.insert(out.pulses.end(), pulses.begin(), pulses.end());
 }
 
 }  // namespace model

@@ -62,6 +62,7 @@ class PowerStage {
   [[nodiscard]] BeamView viewOf(const Beam& beam, const HitsOfBeam& hits, const SubRays& rays) const;
 
  private:
+  void receiveOtherwise(const TracedBeams& traced, std::size_t beam, Scratch& scratch, Pulses& out) const;
   void weaken(const TracedBeams& traced, std::size_t begin, const Effect& effect, std::span<double> power_w) const;
 
   const ChainSettings& settings_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/parallel.h"
 #include "core/physics.h"
@@ -9,12 +10,6 @@
 namespace model {
 
 namespace {
-
-constexpr double kWattToNanowatt = 1e9;
-/// The noise lowers the level by at most this share of the threshold (formats.md section 3, step 4).
-constexpr double kLargestNoise = 0.9;
-
-double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
 
 /// Stretches whose peaks lie closer than the separation are one echo, each compared with the one before it.
 void mergeNearStretches(std::vector<Stretch>& stretches, double separation_m) {
@@ -42,7 +37,12 @@ bool contains(const std::vector<std::string>& list, const char* name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-constexpr std::size_t kBeamsPerTile = 128;
+/// So many sub-rays stay in a core's cache from the ray tracer to the echo.
+constexpr std::size_t kRaysPerTile = 4096;
+
+std::size_t beamsPerTile(std::size_t rays_per_beam) {
+  return std::clamp<std::size_t>(kRaysPerTile / std::max<std::size_t>(1, rays_per_beam), 16, kRaysPerTile);
+}
 
 double pulseWidth_m(const ChainSettings& settings) {
   return core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
@@ -68,8 +68,26 @@ TracedBeams someBeams(const BeamHits& geometry, std::size_t begin, std::size_t e
 
 TracedBeams oneBeam(const BeamHits& geometry, std::size_t beam) { return someBeams(geometry, beam, beam + 1); }
 
-/// Beams came one after the other; the result goes frame by frame (a stable counting sort).
+/// Lone pulses and others of a tile are fired apart; here they come into the order frame, beam, echo.
+void putInOrder(std::vector<Shot>& shots) {
+  const auto before = [](const Shot& a, const Shot& b) {
+    return std::tie(a.frame, a.beam, a.echo) < std::tie(b.frame, b.beam, b.echo);
+  };
+  if (!std::is_sorted(shots.begin(), shots.end(), before)) std::sort(shots.begin(), shots.end(), before);
+}
+
+std::vector<Shot> joined(const std::vector<std::vector<Shot>>& pieces) {
+  std::size_t total = 0;
+  for (const auto& piece : pieces) total += piece.size();
+  std::vector<Shot> shots;
+  shots.reserve(total);
+  for (const auto& piece : pieces) shots.insert(shots.end(), piece.begin(), piece.end());
+  return shots;
+}
+
+/// Tiles came one after the other; the result goes frame by frame (a stable counting sort).
 std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, int frames) {
+  if (frames == 1) return joined(pieces);
   std::vector<std::size_t> position(static_cast<std::size_t>(frames) + 1, 0);
   for (const auto& piece : pieces) {
     for (const Shot& shot : piece) ++position[static_cast<std::size_t>(shot.frame) + 1];
@@ -90,6 +108,9 @@ struct SignalChain::Scratch {
   PowerStage::Scratch power;
   Pulses pulses;
   std::vector<WaveformPart> parts;
+  LonePulses lone;
+  std::size_t first_beam = 0;  ///< of the tile
+  std::vector<double> gain;
   std::vector<Pulse> of_shot;
   std::vector<Stretch> stretches;
   std::vector<Stretch> of_part;
@@ -192,11 +213,20 @@ Echo SignalChain::toEcho(const Stretch& stretch) const {
 /// Step 4 of the chain: where the waveform with its noise exceeds the threshold.
 void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
                            const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const {
-  core::Random random(key);
   scratch.stretches.clear();
   scratch.echoes.clear();
+  if (parts.size() == 1 && parts.front().lone()) {
+    const ShotNoise noise = noiseOf(key, 0);
+    if (record) record->noise_w.push_back(receiver.noise_w * static_cast<double>(noise.power));
+    if (const auto echo = loneEcho(*parts.front().lone(), receiver, settings_, gain, noise)) {
+      scratch.echoes.push_back(*echo);
+    }
+    return;
+  }
+  std::uint32_t number = 0;
   for (const WaveformPart& part : parts) {
-    const double noise_w = std::min(receiver.noise_w * random.normal(), kLargestNoise * receiver.threshold_w);
+    const double drawn_w = receiver.noise_w * static_cast<double>(noiseOf(key, number++).power);
+    const double noise_w = std::min(drawn_w, kLargestNoise * receiver.threshold_w);
     if (record) record->noise_w.push_back(noise_w);
     scratch.of_part.clear();
     if (gain > 0.0)
@@ -218,6 +248,27 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   }
 }
 
+/// What the pre-processing makes of an echo, its own noise included.
+void SignalChain::blur(Echo& echo, const Receiver& receiver, const ShotNoise& noise) const {
+  for (const Effect* effect : echo_effects_) effect->process(echo, receiver, settings_);
+  echo.range_m = settings_.range_scale * echo.range_m + settings_.range_offset_m +
+                 settings_.detection.range_noise_m * static_cast<double>(noise.range);
+  echo.epw_m += settings_.detection.epw_noise_m * static_cast<double>(noise.epw);
+}
+
+/// Counters are coarse, and nobody reports what lies outside the window.
+void SignalChain::count(Echo& echo) const {
+  const DetectionStage& stage = settings_.detection;
+  echo.range_m = toStep(echo.range_m, stage.range_resolution_m);
+  echo.epw_m = std::max(0.0, toStep(echo.epw_m, stage.epw_resolution_m));
+  echo.peak_w = toStep(kWattToNanowatt * echo.peak_w, stage.intensity_resolution_nw) / kWattToNanowatt;
+  if (!insideWindow(echo)) echo.fate = Fate::kOutsideWindow;
+}
+
+bool SignalChain::insideWindow(const Echo& echo) const {
+  return echo.range_m >= settings_.detection.min_range_m && echo.range_m <= settings_.detection.max_range_m;
+}
+
 /// Everything behind the detection of echoes: time base, noise, losses, rounding, window, numbering.
 void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
                          ShotRecord* record) const {
@@ -229,28 +280,15 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
       return echo.fate != Fate::kDetected;
     });
   };
-  core::Random::Key noise = key;
-  noise.purpose = core::purposeOf("echo noise");
-  core::Random random(noise);
-  for (Echo& echo : echoes) {
-    for (const Effect* effect : echo_effects_) effect->process(echo, receiver, settings_);
-    echo.range_m = settings_.range_scale * echo.range_m + settings_.range_offset_m;
-    const double range_noise = random.normal(), epw_noise = random.normal();
-    echo.range_m += stage.range_noise_m * range_noise;
-    echo.epw_m += stage.epw_noise_m * epw_noise;
+  for (std::size_t e = 0; e < echoes.size(); ++e) {
+    blur(echoes[e], receiver, noiseOf(key, static_cast<std::uint32_t>(e)));
   }
   for (const Drawing& drawing : reporting_effects_) {
     core::Random own(drawing.keyOf(key));
     drawing.effect->report(echoes, settings_, own);
     dropLost();
   }
-  for (Echo& echo : echoes) {
-    echo.range_m = rounded(echo.range_m, stage.range_resolution_m);
-    echo.epw_m = std::max(0.0, rounded(echo.epw_m, stage.epw_resolution_m));
-    echo.peak_w = rounded(kWattToNanowatt * echo.peak_w, stage.intensity_resolution_nw) / kWattToNanowatt;
-    const bool inside = echo.range_m >= stage.min_range_m && echo.range_m <= stage.max_range_m;
-    if (!inside) echo.fate = Fate::kOutsideWindow;
-  }
+  for (Echo& echo : echoes) count(echo);
   dropLost();
   std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
   for (std::size_t e = static_cast<std::size_t>(stage.max_echoes); e < echoes.size(); ++e) {
@@ -258,6 +296,15 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
   }
   dropLost();
   if (record) record->echoes.insert(record->echoes.begin(), echoes.begin(), echoes.end());
+}
+
+double SignalChain::gainOf(const Beam& beam, const core::Random::Key& shot) const {
+  double gain = 1.0;
+  for (const Drawing& drawing : fluctuating_effects_) {
+    core::Random own(drawing.keyOf(shot));
+    gain *= drawing.effect->fluctuation(beam, own);
+  }
+  return gain;
 }
 
 void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
@@ -270,11 +317,7 @@ void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const c
     if (record) record->pulses = scratch.of_shot;
     scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(receiver));
   }
-  double gain = 1.0;
-  for (const Drawing& drawing : fluctuating_effects_) {
-    core::Random own(drawing.keyOf(key));
-    gain *= drawing.effect->fluctuation(beam.view.beam, own);
-  }
+  const double gain = gainOf(beam.view.beam, key);
   if (record) record->gain = gain;
   listenTo(scratch.parts, receiver, gain, key, scratch, record);
   finish(receiver, key, scratch, record);
@@ -297,21 +340,63 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratc
   }
 }
 
+/// Beams with one pulse are fired all at once, where nothing but their echo's own noise is random.
+void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch,
+                           std::vector<Shot>& out) const {
+  LonePulses& lone = scratch.lone;
+  out.reserve(out.size() + lone.size() * static_cast<std::size_t>(options.frames));
+  scratch.gain.assign(lone.size(), 1.0);
+  for (int frame = 0; frame < options.frames; ++frame) {
+    const core::Random::Key key = keyOf(options, frame, 0);
+    for (std::size_t i = 0; i < lone.size() && !fluctuating_effects_.empty(); ++i) {
+      core::Random::Key shot = key;
+      shot.beam = lone.beam(i);
+      scratch.gain[i] = gainOf(traced.beams[lone.beam(i) - scratch.first_beam], shot);
+    }
+    lone.fire(settings_, key, scratch.gain);
+    for (std::size_t i = 0; i < lone.size(); ++i) {
+      if (!lone.detected(i)) continue;
+      Echo echo = lone.echo(i);
+      blur(echo, settings_.receiver, lone.noise(i));
+      lone.setEcho(i, echo);
+    }
+    lone.count(settings_.detection);
+    for (std::size_t i = 0; i < lone.size(); ++i) {
+      const Echo echo = lone.echo(i);
+      if (!lone.detected(i) || !insideWindow(echo)) continue;
+      out.push_back({lone.beam(i), frame, 1, echo.range_m, echo.epw_m, kWattToNanowatt * echo.peak_w});
+    }
+  }
+}
+
 void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power,
                            std::size_t first_beam, const RunOptions& options, Scratch& scratch,
                            std::vector<Shot>& out) const {
+  const bool closed_form = disturbing_effects_.empty() && receiver_effects_.empty() && reporting_effects_.empty();
+  scratch.lone.clear();
+  scratch.first_beam = first_beam;
   for (std::size_t b = 0; b < traced.beams.size(); ++b) {
+    const auto index = static_cast<std::uint32_t>(first_beam + b);
+    const std::span<const Pulse> of_beam = pulses.of(b);
+    if (closed_form && of_beam.empty()) continue;
+    if (closed_form && of_beam.size() == 1) {
+      scratch.lone.add(index, of_beam.front());
+      continue;
+    }
     const HitsOfBeam hits = traced.hitsOf(b);
     const BeamView view = power.viewOf(traced.beams[b], hits, traced.rays);
-    fireBeam({static_cast<std::uint32_t>(first_beam + b), view, pulses.of(b)}, options, scratch, out);
+    fireBeam({index, view, of_beam}, options, scratch, out);
   }
+  fireLone(traced, options, scratch, out);
+  putInOrder(out);
 }
 
 std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene, const RunOptions& options) const {
   const PowerStage power(settings_, all_effects_, scene);
-  std::vector<std::vector<Shot>> pieces((pass.beams().size() + kBeamsPerTile - 1) / kBeamsPerTile);
-  core::parallelFor(pass.beams().size(), kBeamsPerTile, [&](std::size_t begin, std::size_t end) {
-    Scratch scratch;
+  const std::size_t grain = beamsPerTile(pass.rays().size());
+  std::vector<std::vector<Shot>> pieces((pass.beams().size() + grain - 1) / grain);
+  core::parallelFor(pass.beams().size(), grain, [&](std::size_t begin, std::size_t end) {
+    static thread_local Scratch scratch;  // buffers only; every tile overwrites them
     pass.trace(begin, end, scratch.tile);
     const TracedBeams traced{pass.beams().subspan(begin, end - begin),
                              pass.rays(),
@@ -320,7 +405,7 @@ std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene,
                              scratch.tile.second,
                              scratch.tile.first_second};
     power.receive(traced, scratch.power, scratch.pulses);
-    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / kBeamsPerTile]);
+    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
   });
   return frameByFrame(pieces, options.frames);
 }
@@ -328,8 +413,9 @@ std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene,
 std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene, const RunOptions& options) const {
   const PowerStage power(settings_, all_effects_, scene);
   const Pulses coupled = couplesBeams() ? coupledPulses(geometry, power) : Pulses();
-  std::vector<std::vector<Shot>> pieces((geometry.beams.size() + kBeamsPerTile - 1) / kBeamsPerTile);
-  core::parallelFor(geometry.beams.size(), kBeamsPerTile, [&](std::size_t begin, std::size_t end) {
+  const std::size_t grain = beamsPerTile(geometry.hits.size() / std::max<std::size_t>(1, geometry.beams.size()));
+  std::vector<std::vector<Shot>> pieces((geometry.beams.size() + grain - 1) / grain);
+  core::parallelFor(geometry.beams.size(), grain, [&](std::size_t begin, std::size_t end) {
     Scratch scratch;
     const TracedBeams traced = someBeams(geometry, begin, end);
     if (couplesBeams()) {
@@ -337,7 +423,7 @@ std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene,
     } else {
       power.receive(traced, scratch.power, scratch.pulses);
     }
-    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / kBeamsPerTile]);
+    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
   });
   return frameByFrame(pieces, options.frames);
 }

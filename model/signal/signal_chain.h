@@ -8,6 +8,7 @@
 #include "model/effects/effect.h"
 #include "model/geometry/geometry_pass.h"
 #include "model/lidar_model.h"
+#include "model/signal/lone_pulses.h"
 #include "model/signal/power_stage.h"
 #include "model/signal/waveform.h"
 
@@ -98,6 +99,11 @@ class SignalChain {
   [[nodiscard]] double lowestLevel(const Receiver& receiver) const;
   [[nodiscard]] Pulses coupledPulses(const BeamHits& geometry, const PowerStage& power) const;
   [[nodiscard]] Echo toEcho(const Stretch& stretch) const;
+  void fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
+  [[nodiscard]] double gainOf(const Beam& beam, const core::Random::Key& shot) const;
+  void blur(Echo& echo, const Receiver& receiver, const ShotNoise& noise) const;
+  void count(Echo& echo) const;
+  [[nodiscard]] bool insideWindow(const Echo& echo) const;
   void finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
 
   ChainSettings settings_;

@@ -36,7 +36,12 @@ void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
 }  // namespace
 
 WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double lowest_level_w)
-    : lowest_level_w_(lowest_level_w) {
+    : fwhm_m_(fwhm_m), lowest_level_w_(lowest_level_w) {
+  if (pulses.size() == 1) {
+    lone_ = pulses.front();
+    highest_w_ = lone_.power_w;
+    return;
+  }
   double total_w = 0.0;
   for (const Pulse& pulse : pulses) total_w += pulse.power_w;
   step_m_ = fwhm_m / kSamplesPerWidth;
@@ -129,6 +134,11 @@ Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level
 
 void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) const {
   if (highest_w_ <= level_w) return;
+  if (lone_.power_w > 0.0) {
+    const double half_m = fwhm_m_ / 2.0 * std::sqrt(std::log2(lone_.power_w / level_w));
+    out.push_back({lone_.range_m - half_m, lone_.range_m + half_m, lone_.range_m, lone_.power_w});
+    return;
+  }
   const double log_level = std::log(level_w);
   std::size_t i = 0;
   const std::size_t before = out.size();

@@ -27,6 +27,8 @@ class WaveformPart {
 
   /// All stretches above `level_w`, in order of range; `level_w` must not be below the lowest level.
   void stretchesAbove(double level_w, std::vector<Stretch>& out) const;
+  /// The pulse, if it is the only one.
+  [[nodiscard]] const Pulse* lone() const noexcept { return lone_.power_w > 0.0 ? &lone_ : nullptr; }
   [[nodiscard]] double peak_w() const noexcept { return highest_w_; }
   [[nodiscard]] double lowest_level_w() const noexcept { return lowest_level_w_; }
 
@@ -34,6 +36,8 @@ class WaveformPart {
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
   [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
 
+  Pulse lone_;  ///< the only pulse, if there is but one: it has a closed form and is not sampled
+  double fwhm_m_ = 0.0;
   double start_m_ = 0.0;
   double step_m_ = 0.0;
   double lowest_level_w_ = 0.0;

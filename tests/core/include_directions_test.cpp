@@ -84,7 +84,7 @@ TEST(IncludeDirections, ThirdPartyLibrariesStayInTheirFolder) {
                                                              {"xlsxwriter.h", {"specs"}},
                                                              {"tbb", {"core"}},
                                                              {"Random123", {"core"}},
-                                                             {"hwy", {"metrics"}},
+                                                             {"hwy", {"core", "metrics"}},
                                                              {"nanoflann.hpp", {"metrics", "objects"}},
                                                              {"coin", {"metrics"}},
                                                              {"muParser.h", {"acceptance", "specs"}},

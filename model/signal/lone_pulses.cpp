@@ -1,0 +1,119 @@
+#include "model/signal/lone_pulses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/bulk_math.h"
+#include "core/multiversion.h"
+#include "core/physics.h"
+
+namespace model {
+
+namespace {
+
+/// Power over the level that it must exceed, and the noisy peak.
+FIDELIS_FOR_EVERY_PROCESSOR void ratiosOf(std::size_t count, double threshold_w, double noise_stddev_w,
+                                          const double* __restrict power_w, const double* __restrict gain,
+                                          const float* __restrict noise, double* __restrict ratio,
+                                          double* __restrict peak_w, double* __restrict log_argument) {
+  const double most_w = kLargestNoise * threshold_w;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double drawn_w = noise_stddev_w * static_cast<double>(noise[i]);
+    const double noise_w = drawn_w < most_w ? drawn_w : most_w;
+    peak_w[i] = gain[i] * power_w[i];
+    ratio[i] = peak_w[i] / (threshold_w - noise_w);
+    peak_w[i] += noise_w;
+    log_argument[i] = ratio[i] > 1.0 ? ratio[i] : 1.0;
+  }
+}
+
+FIDELIS_FOR_EVERY_PROCESSOR void widthsOf(std::size_t count, double width_m, double edge, const double* __restrict log,
+                                          const double* __restrict pulse_range_m, double* __restrict range_m,
+                                          double* __restrict epw_m) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double half_m = 0.5 * width_m * std::sqrt(log[i]);
+    range_m[i] = pulse_range_m[i] - edge * half_m;
+    epw_m[i] = 4.0 * half_m;
+  }
+}
+
+FIDELIS_FOR_EVERY_PROCESSOR void toSteps(std::size_t count, double step, double* __restrict values) {
+  for (std::size_t i = 0; i < count; ++i) values[i] = std::floor(values[i] / step + 0.5) * step;
+}
+
+FIDELIS_FOR_EVERY_PROCESSOR void scale(std::size_t count, double factor, double* __restrict values) {
+  for (std::size_t i = 0; i < count; ++i) values[i] *= factor;
+}
+
+/// Full width at half maximum on the one-way axis.
+double widthOf_m(const ChainSettings& settings) {
+  return core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
+}
+
+double edgeOf(const ChainSettings& settings) {
+  return settings.detection.range_mode == RangeMode::kLeadingEdge ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+double toStep(double value, double step) { return step > 0.0 ? std::floor(value / step + 0.5) * step : value; }
+
+ShotNoise noiseOf(const core::Random::Key& shot, std::uint32_t echo) {
+  std::array<float, 4> n{};
+  core::normalsOf(shot, std::span(&shot.beam, 1), echo,
+                  {std::span(&n[0], 1), std::span(&n[1], 1), std::span(&n[2], 1), std::span(&n[3], 1)});
+  return {n[0], n[1], n[2]};
+}
+
+std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const ChainSettings& settings, double gain,
+                             const ShotNoise& noise) {
+  double ratio = 0.0, log = 0.0;
+  Echo echo;
+  ratiosOf(1, receiver.threshold_w, receiver.noise_w, &pulse.power_w, &gain, &noise.power, &ratio, &echo.peak_w, &log);
+  if (!(ratio > 1.0)) return std::nullopt;
+  core::log2Of(std::span(&log, 1), std::span(&log, 1));
+  widthsOf(1, widthOf_m(settings), edgeOf(settings), &log, &pulse.range_m, &echo.range_m, &echo.epw_m);
+  return echo;
+}
+
+void LonePulses::clear() {
+  beam_.clear();
+  pulse_range_m_.clear();
+  power_w_.clear();
+}
+
+void LonePulses::add(std::uint32_t beam, const Pulse& pulse) {
+  beam_.push_back(beam);
+  pulse_range_m_.push_back(pulse.range_m);
+  power_w_.push_back(pulse.power_w);
+}
+
+void LonePulses::fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain) {
+  const std::size_t count = size();
+  for (auto* column : {&ratio_, &log_, &range_m_, &epw_m_, &peak_w_}) column->resize(count);
+  for (auto& column : noise_) column.resize(count);
+  core::normalsOf(frame, beam_, 0, {noise_[0], noise_[1], noise_[2], noise_[3]});
+  const Receiver& receiver = settings.receiver;
+  ratiosOf(count, receiver.threshold_w, receiver.noise_w, power_w_.data(), gain.data(), noise_[0].data(), ratio_.data(),
+           peak_w_.data(), log_.data());
+  core::log2Of(log_, log_);
+  widthsOf(count, widthOf_m(settings), edgeOf(settings), log_.data(), pulse_range_m_.data(), range_m_.data(),
+           epw_m_.data());
+}
+
+void LonePulses::setEcho(std::size_t i, const Echo& echo) {
+  range_m_[i] = echo.range_m;
+  epw_m_[i] = echo.epw_m;
+  peak_w_[i] = echo.peak_w;
+}
+
+void LonePulses::count(const DetectionStage& stage) {
+  if (stage.range_resolution_m > 0.0) toSteps(size(), stage.range_resolution_m, range_m_.data());
+  if (stage.epw_resolution_m > 0.0) toSteps(size(), stage.epw_resolution_m, epw_m_.data());
+  for (double& epw_m : epw_m_) epw_m = epw_m > 0.0 ? epw_m : 0.0;
+  scale(size(), kWattToNanowatt, peak_w_.data());
+  if (stage.intensity_resolution_nw > 0.0) toSteps(size(), stage.intensity_resolution_nw, peak_w_.data());
+  for (double& peak_w : peak_w_) peak_w /= kWattToNanowatt;
+}
+
+}  // namespace model

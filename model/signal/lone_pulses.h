@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/effects/effect.h"
+
+namespace model {
+
+/// The noise of one shot: of the received power, of the range and of the pulse width. Standard normal numbers, three a
+/// beam and echo.
+struct ShotNoise {
+  float power = 0.0F;
+  float range = 0.0F;
+  float epw = 0.0F;
+};
+
+/// Noise of the echo `echo` (or of that part of the waveform) of a shot.
+[[nodiscard]] ShotNoise noiseOf(const core::Random::Key& shot, std::uint32_t echo);
+
+/// Beams whose received signal is one pulse: most of them. Their echoes have a closed form (formats.md section 3), so
+/// many are worked out at once, column by column; the same numbers come out as from a waveform.
+///
+///   half width  h = FWHM/2 · sqrt(log2(P/level)),  level = (P_th - n) / gain
+///   range       r, or r - h at the leading edge;   EPW = 4 h on the one-way axis
+class LonePulses {
+ public:
+  void clear();
+  void add(std::uint32_t beam, const Pulse& pulse);
+  [[nodiscard]] std::size_t size() const noexcept { return beam_.size(); }
+  [[nodiscard]] std::uint32_t beam(std::size_t i) const { return beam_[i]; }
+
+  /// Fires all of them in one frame. `gain(i)` is the fluctuation of a shot. The echoes are raw: neither time base nor
+  /// range noise are in them.
+  void fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain);
+  /// Whether the last shot of beam i was above the threshold, and its echo.
+  [[nodiscard]] bool detected(std::size_t i) const { return ratio_[i] > 1.0; }
+  [[nodiscard]] Echo echo(std::size_t i) const { return {range_m_[i], epw_m_[i], peak_w_[i]}; }
+  void setEcho(std::size_t i, const Echo& echo);
+  /// Rounds all echoes as the sensor's counters do.
+  void count(const DetectionStage& stage);
+  [[nodiscard]] ShotNoise noise(std::size_t i) const { return {noise_[0][i], noise_[1][i], noise_[2][i]}; }
+
+ private:
+  std::vector<std::uint32_t> beam_;
+  std::vector<double> pulse_range_m_, power_w_;
+  std::vector<double> ratio_, log_, range_m_, epw_m_, peak_w_;
+  std::vector<float> noise_[4];
+};
+
+/// One of them, to the last bit as `LonePulses` does it: its raw echo, nothing if it stays below the threshold.
+[[nodiscard]] std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const ChainSettings& settings,
+                                           double gain, const ShotNoise& noise);
+
+/// To the nearest step, halves upwards; a step of 0 leaves the value as it is.
+[[nodiscard]] double toStep(double value, double step);
+
+inline constexpr double kWattToNanowatt = 1e9;
+/// The noise lowers the level by at most this share of the threshold (formats.md section 3, step 4).
+inline constexpr double kLargestNoise = 0.9;
+
+}  // namespace model
