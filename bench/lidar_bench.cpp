@@ -116,11 +116,8 @@ struct Rig {
   model::GeometryPass pass{tracer(), beams, chain.subRays(lidar.rays_horizontal, lidar.rays_vertical)};
 };
 
-std::size_t grain(const Rig& rig) {
-  const char* g = getenv("G");
-  std::size_t n = g ? atoi(g) : 4096;
-  return std::max<std::size_t>(16, n / rig.pass.rays().size());
-}
+/// Beams of a tile, as the chain takes them.
+std::size_t grain(const Rig& rig) { return std::max<std::size_t>(16, 4096 / rig.pass.rays().size()); }
 
 /// Nothing but rays: directions from the beams' axes, first hits, one sum over the ranges.
 void bareEmbree(benchmark::State& state, bool robust) {

@@ -44,8 +44,8 @@ std::size_t beamsPerTile(std::size_t rays_per_beam) {
   return std::clamp<std::size_t>(kRaysPerTile / std::max<std::size_t>(1, rays_per_beam), 16, kRaysPerTile);
 }
 
-double pulseWidth_m(const ChainSettings& settings) {
-  return core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
+PulseForm formOf(const ChainSettings& settings) {
+  return {core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0, settings.emitter.pulse_shape};
 }
 
 core::Random::Key keyOf(const RunOptions& options, int frame, std::uint32_t beam) {
@@ -215,7 +215,7 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
                            const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const {
   scratch.stretches.clear();
   scratch.echoes.clear();
-  if (parts.size() == 1 && parts.front().lone()) {
+  if (parts.size() == 1 && parts.front().lone() && settings_.emitter.pulse_shape.isGaussian()) {
     const ShotNoise noise = noiseOf(key, 0);
     if (record) record->noise_w.push_back(receiver.noise_w * static_cast<double>(noise.power));
     if (const auto echo = loneEcho(*parts.front().lone(), receiver, settings_, gain, noise)) {
@@ -315,7 +315,7 @@ void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const c
       drawing.effect->disturb(beam.view, drawing.keyOf(key), scratch.of_shot);
     }
     if (record) record->pulses = scratch.of_shot;
-    scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(receiver));
+    scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
   }
   const double gain = gainOf(beam.view.beam, key);
   if (record) record->gain = gain;
@@ -328,7 +328,7 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratc
   const Receiver receiver = receiverOf(beam.view.beam);
   if (disturbing_effects_.empty()) {
     scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
-    scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(receiver));
+    scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
     if (scratch.parts.empty() && reporting_effects_.empty()) return;
   }
   for (int frame = 0; frame < options.frames; ++frame) {
@@ -372,7 +372,8 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
 void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power,
                            std::size_t first_beam, const RunOptions& options, Scratch& scratch,
                            std::vector<Shot>& out) const {
-  const bool closed_form = disturbing_effects_.empty() && receiver_effects_.empty() && reporting_effects_.empty();
+  const bool closed_form = settings_.emitter.pulse_shape.isGaussian() && disturbing_effects_.empty() &&
+                           receiver_effects_.empty() && reporting_effects_.empty();
   scratch.lone.clear();
   scratch.first_beam = first_beam;
   for (std::size_t b = 0; b < traced.beams.size(); ++b) {
@@ -455,7 +456,7 @@ ShotRecord SignalChain::record(const BeamHits& geometry, std::size_t beam, const
   record.receiver = receiverOf(view.beam);
   Scratch scratch;
   scratch.of_shot = record.pulses;
-  scratch.parts = partsOf(scratch.of_shot, pulseWidth_m(settings_), lowestLevel(record.receiver));
+  scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(record.receiver));
   fireShot(loaded, record.receiver, keyOf(options, frame, loaded.index), scratch, &record);
   return record;
 }

@@ -13,9 +13,12 @@ constexpr double kFourLn2 = 4.0 * std::numbers::ln2;
 constexpr double kSamplesPerWidth = 16.0;
 constexpr double kBinsPerWidth = 100.0;  // merging pulses within a bin changes the variance by less than 1e-5
 
-/// Half the width at `level_w` of one Gaussian that holds all the power: nothing reaches farther.
-double reachOf(double power_w, double level_w, double fwhm_m) {
-  return power_w > level_w ? fwhm_m / 2.0 * std::sqrt(std::log2(power_w / level_w)) : 0.0;
+/// How far from its peak one pulse that holds all the power is above `level_w`: nothing reaches farther.
+double reachOf(double power_w, double level_w, const PulseForm& form) {
+  if (power_w <= level_w) return 0.0;
+  if (form.shape.isGaussian()) return form.fwhm_m / 2.0 * std::sqrt(std::log2(power_w / level_w));
+  const auto crossings = form.shape.crossings(level_w / power_w);
+  return crossings ? form.fwhm_m * std::max(-crossings->rise, crossings->fall) : 0.0;
 }
 
 void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
@@ -35,8 +38,8 @@ void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
 
 }  // namespace
 
-WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double lowest_level_w)
-    : fwhm_m_(fwhm_m), lowest_level_w_(lowest_level_w) {
+WaveformPart::WaveformPart(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w)
+    : form_(form), lowest_level_w_(lowest_level_w) {
   if (pulses.size() == 1) {
     lone_ = pulses.front();
     highest_w_ = lone_.power_w;
@@ -44,18 +47,35 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double 
   }
   double total_w = 0.0;
   for (const Pulse& pulse : pulses) total_w += pulse.power_w;
-  step_m_ = fwhm_m / kSamplesPerWidth;
-  const double reach = reachOf(total_w, lowest_level_w, fwhm_m) + 2.0 * step_m_;
+  step_m_ = form.fwhm_m / kSamplesPerWidth;
+  const double reach = reachOf(total_w, lowest_level_w, form) + 2.0 * step_m_;
   start_m_ = pulses.front().range_m - reach;
   const auto samples = static_cast<std::size_t>((pulses.back().range_m + reach - start_m_) / step_m_) + 2;
   std::vector<double> signal(samples, 0.0);
+  if (form.shape.isGaussian()) {
+    // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's
+    // peak.
+    addGaussians(pulses, reachOf(total_w, 0.01 * lowest_level_w, form), signal);
+  } else {
+    addMeasured(pulses, signal);
+  }
+  log_signal_.resize(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    log_signal_[i] = signal[i] > 0.0 ? std::log(signal[i]) : -700.0;
+    highest_w_ = std::max(highest_w_, signal[i]);
+  }
+  // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
+  const auto top =
+      static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
+  highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
+}
+
+void WaveformPart::addGaussians(std::span<const Pulse> pulses, double cut_m, std::vector<double>& signal) const {
   // exp(-a (x + d)^2) = exp(-a x^2) · exp(-a d (2x + d)): two multiplications a sample, outwards from the pulse's
   // centre.
-  const double a = kFourLn2 / (fwhm_m * fwhm_m);
+  const double a = kFourLn2 / (form_.fwhm_m * form_.fwhm_m);
   const double second = std::exp(-2.0 * a * step_m_ * step_m_);
-  // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's
-  // peak.
-  const auto cut = static_cast<std::size_t>(reachOf(total_w, 0.01 * lowest_level_w, fwhm_m) / step_m_) + 2;
+  const auto cut = static_cast<std::size_t>(cut_m / step_m_) + 2;
   for (const Pulse& pulse : pulses) {
     const auto centre = static_cast<std::size_t>((pulse.range_m - start_m_) / step_m_);
     for (const int direction : {1, -1}) {
@@ -69,19 +89,19 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, double fwhm_m, double 
         factor *= second;
         if (direction < 0 && index == 0) break;
         index += static_cast<std::size_t>(direction);
-        if (index >= samples) break;
+        if (index >= signal.size()) break;
       }
     }
   }
-  log_signal_.resize(samples);
-  for (std::size_t i = 0; i < samples; ++i) {
-    log_signal_[i] = signal[i] > 0.0 ? std::log(signal[i]) : -700.0;
-    highest_w_ = std::max(highest_w_, signal[i]);
+}
+
+void WaveformPart::addMeasured(std::span<const Pulse> pulses, std::vector<double>& signal) const {
+  for (const Pulse& pulse : pulses) {
+    for (std::size_t i = 0; i < signal.size(); ++i) {
+      const double x_m = start_m_ + static_cast<double>(i) * step_m_ - pulse.range_m;
+      signal[i] += pulse.power_w * form_.shape.at(x_m / form_.fwhm_m);
+    }
   }
-  // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
-  const auto top =
-      static_cast<std::size_t>(std::max_element(log_signal_.begin(), log_signal_.end()) - log_signal_.begin());
-  highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
 }
 
 /// Where the parabola through `below`, `above` and the next sample beyond `above` crosses the level.
@@ -135,8 +155,10 @@ Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level
 void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) const {
   if (highest_w_ <= level_w) return;
   if (lone_.power_w > 0.0) {
-    const double half_m = fwhm_m_ / 2.0 * std::sqrt(std::log2(lone_.power_w / level_w));
-    out.push_back({lone_.range_m - half_m, lone_.range_m + half_m, lone_.range_m, lone_.power_w});
+    const auto crossings = form_.shape.crossings(level_w / lone_.power_w);
+    if (!crossings) return;
+    out.push_back({lone_.range_m + form_.fwhm_m * crossings->rise, lone_.range_m + form_.fwhm_m * crossings->fall,
+                   lone_.range_m, lone_.power_w});
     return;
   }
   const double log_level = std::log(level_w);
@@ -160,20 +182,20 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
   out.push_back(tip);
 }
 
-std::vector<WaveformPart> partsOf(std::vector<Pulse>& pulses, double fwhm_m, double lowest_level_w) {
+std::vector<WaveformPart> partsOf(std::vector<Pulse>& pulses, const PulseForm& form, double lowest_level_w) {
   std::vector<WaveformPart> parts;
-  mergeNearPulses(pulses, fwhm_m / kBinsPerWidth);
+  mergeNearPulses(pulses, form.fwhm_m / kBinsPerWidth);
   double total_w = 0.0;
   for (const Pulse& pulse : pulses) total_w += pulse.power_w;
   if (total_w <= lowest_level_w) return parts;
-  const double gap = 2.0 * reachOf(total_w, lowest_level_w, fwhm_m);
+  const double gap = 2.0 * reachOf(total_w, lowest_level_w, form);
   for (std::size_t begin = 0; begin < pulses.size();) {
     std::size_t end = begin + 1;
     double part_w = pulses[begin].power_w;
     while (end < pulses.size() && pulses[end].range_m - pulses[end - 1].range_m <= gap) part_w += pulses[end++].power_w;
     if (part_w > lowest_level_w) {
       const std::span<const Pulse> all(pulses);
-      WaveformPart part(all.subspan(begin, end - begin), fwhm_m, lowest_level_w);
+      WaveformPart part(all.subspan(begin, end - begin), form, lowest_level_w);
       if (part.peak_w() > lowest_level_w) parts.push_back(std::move(part));
     }
     begin = end;

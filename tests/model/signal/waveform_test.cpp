@@ -39,7 +39,7 @@ std::vector<Stretch> bruteForce(const std::vector<Pulse>& pulses, double level_w
 
 std::vector<Stretch> stretchesOf(std::vector<Pulse> pulses, double level_w, double lowest_w) {
   std::vector<Stretch> stretches;
-  for (const WaveformPart& part : partsOf(pulses, kFwhm_m, lowest_w)) part.stretchesAbove(level_w, stretches);
+  for (const WaveformPart& part : partsOf(pulses, {kFwhm_m, {}}, lowest_w)) part.stretchesAbove(level_w, stretches);
   return stretches;
 }
 
@@ -102,11 +102,38 @@ TEST(Waveform, SpreadPulsesKeepTheirEnergy) {
 
 TEST(Waveform, PartsThatDoNotTouchAreSeparate) {
   std::vector<Pulse> far_apart = {{10.0, 5.0}, {60.0, 5.0}};
-  EXPECT_EQ(partsOf(far_apart, kFwhm_m, 0.1).size(), 2u);
+  EXPECT_EQ(partsOf(far_apart, {kFwhm_m, {}}, 0.1).size(), 2u);
   std::vector<Pulse> near = {{10.0, 5.0}, {10.5, 5.0}};
-  EXPECT_EQ(partsOf(near, kFwhm_m, 0.1).size(), 1u);
+  EXPECT_EQ(partsOf(near, {kFwhm_m, {}}, 0.1).size(), 1u);
   std::vector<Pulse> weak = {{10.0, 5.0}, {60.0, 0.09}};
-  EXPECT_EQ(partsOf(weak, kFwhm_m, 0.1).size(), 1u);
+  EXPECT_EQ(partsOf(weak, {kFwhm_m, {}}, 0.1).size(), 1u);
+}
+
+/// A form that was measured: a triangle, one width wide at half its height.
+PulseForm triangle() { return {kFwhm_m, PulseShape({-1.0, 0.0, 1.0}, {0.0, 1.0, 0.0})}; }
+
+// A triangle of full width w at half maximum is 2 w (1 - q) wide at the share q of its height.
+TEST(Waveform, MeasuredPulseHasTheWidthOfItsOwnForm) {
+  for (const double ratio : {1.25, 2.0, 10.0}) {
+    std::vector<Pulse> one{{42.0, ratio}};
+    std::vector<Stretch> stretches;
+    for (const WaveformPart& part : partsOf(one, triangle(), 0.1)) part.stretchesAbove(1.0, stretches);
+    ASSERT_EQ(stretches.size(), 1u);
+    EXPECT_NEAR(stretches[0].fall_m - stretches[0].rise_m, 2.0 * kFwhm_m * (1.0 - 1.0 / ratio), 1e-12);
+    EXPECT_EQ(stretches[0].peak_w, ratio);
+  }
+}
+
+// Two equal triangles half a base apart sum up to a trapezium with a flat roof: base 2 w + d, height P.
+TEST(Waveform, MeasuredPulsesAddUp) {
+  std::vector<Pulse> two{{42.0, 4.0}, {42.0 + kFwhm_m, 4.0}};
+  std::vector<Stretch> stretches;
+  for (const WaveformPart& part : partsOf(two, triangle(), 0.1)) part.stretchesAbove(1.0, stretches);
+  ASSERT_EQ(stretches.size(), 1u);
+  const double step_m = kFwhm_m / 16.0;  // of the samples, between which log s is a parabola and not a line
+  EXPECT_NEAR(stretches[0].rise_m, 42.0 - 0.75 * kFwhm_m, 0.05 * step_m);
+  EXPECT_NEAR(stretches[0].fall_m, 42.0 + 1.75 * kFwhm_m, 0.05 * step_m);
+  EXPECT_NEAR(stretches[0].peak_w, 4.0, 1e-9);
 }
 
 }  // namespace
