@@ -133,7 +133,7 @@ TEST(Waveform, MeasuredPulsesAddUp) {
   const double step_m = kFwhm_m / 16.0;  // of the samples, between which log s is a parabola and not a line
   EXPECT_NEAR(stretches[0].rise_m, 42.0 - 0.75 * kFwhm_m, 0.05 * step_m);
   EXPECT_NEAR(stretches[0].fall_m, 42.0 + 1.75 * kFwhm_m, 0.05 * step_m);
-  EXPECT_NEAR(stretches[0].peak_w, 4.0, 1e-9);
+  EXPECT_NEAR(stretches[0].peak_w, 4.0, 0.01 * 4.0);  // the parabola overshoots the corner of the roof
 }
 
 }  // namespace
