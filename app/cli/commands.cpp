@@ -5,6 +5,7 @@ namespace app {
 void addAcceptCommand(CLI::App& program, Session& session);
 void addCepraCommand(CLI::App& program, Session& session);
 void addEffectsCommand(CLI::App& program, Session& session);
+void addExplainCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
 void addImportCommand(CLI::App& program, Session& session);
 void addMaterialsCommand(CLI::App& program, Session& session);
@@ -22,9 +23,9 @@ void addValidityCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,      addCepraCommand,   addSpecCommand,     addAcceptCommand,    addMetricCommand,
-      addValidityCommand,    addPredictCommand, addSimulateCommand, addObjectsCommand,   addGapCommand,
-      addSensitivityCommand, addEffectsCommand, addSensorsCommand,  addMaterialsCommand,
+      addImportCommand,   addCepraCommand,       addSpecCommand,     addAcceptCommand,  addMetricCommand,
+      addValidityCommand, addPredictCommand,     addSimulateCommand, addExplainCommand, addObjectsCommand,
+      addGapCommand,      addSensitivityCommand, addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -50,6 +50,7 @@ class SignalChain {
   SignalChain& operator=(SignalChain&&) noexcept;
 
   [[nodiscard]] const ChainSettings& settings() const noexcept { return settings_; }
+  [[nodiscard]] std::span<const Effect* const> effects() const noexcept { return all_effects_; }
 
   // --- what the effects change before rays are traced
   /// The beams of a frame as the effects turn them.
