@@ -54,12 +54,30 @@ void orderSector(Hypothesis& hypothesis) {
   };
 }
 
+/// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
+bool hasSubject(const Replay& replay, const model::EffectEntry& entry) {
+  const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
+  const bool of_ways = entry.info.name == "transmission" || entry.info.name == "multipath";
+  if (!of_motion && !of_ways) return true;
+  if (of_motion && replay.baseline().model.has("motion-scan")) return true;  // the sensor itself may move
+  const auto effect = entry.make({});
+  for (const ReplaySample& sample : replay.samples()) {
+    const model::Scene scene = model::situationOf(replay.experiment(), *sample.sample).scene;
+    const auto moves = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
+    const auto shines = [&](const model::Material& m) { return effect->letsThrough(m) || effect->mirrors(m); };
+    if (of_motion && std::any_of(scene.objects.begin(), scene.objects.end(), moves)) return true;
+    if (of_ways && std::any_of(scene.materials.begin(), scene.materials.end(), shines)) return true;
+  }
+  return false;
+}
+
 void addEffects(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
   const model::LidarModel& baseline = replay.baseline().model;
   for (const model::EffectEntry& entry : model::allEffects()) {
     const model::EffectInfo& info = entry.info;
     if (baseline.has(info.name) || info.name == "angle-clipping") continue;
     if (!only.empty() && std::find(only.begin(), only.end(), info.name) == only.end()) continue;
+    if (!hasSubject(replay, entry)) continue;
     list.push_back(effectHypothesis(info, info.fitted, ""));
     orderSector(list.back());
     if (info.name == "angular-reflection") list.push_back(effectHypothesis(info, {"roughness_rad"}, "oren-nayar"));

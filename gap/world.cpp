@@ -15,6 +15,11 @@ std::string geometryKey(const World& world, const model::Sample& sample) {
     if (!model::findEffect(effect.name)->info.moves_geometry) continue;
     key += effect.name + "{";
     for (const auto& [name, value] : effect.parameters.numbers) key += name + "=" + core::shortestNumber(value) + ";";
+    for (const auto& [name, values] : effect.parameters.lists) {
+      key += name + "=[";
+      for (const double value : values) key += core::shortestNumber(value) + ",";
+      key += "];";
+    }
     key += "}";
   }
   const model::AngularSize& beam = world.model.sensor(sample.sensor).emitter.divergence;

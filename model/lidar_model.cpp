@@ -86,6 +86,7 @@ LidarModel withEffect(const LidarModel& model, const std::string& name, const Ef
   nlohmann::json values = nlohmann::json::object();
   for (const auto& [key, number] : parameters.numbers) values[key] = number;
   for (const auto& [key, text] : parameters.texts) values[key] = text;
+  for (const auto& [key, list] : parameters.lists) values[key] = list;
   changed.json["effects"][name] = values;
   changed.effects.clear();
   for (const EffectEntry& entry : allEffects()) {

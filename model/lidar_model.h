@@ -35,7 +35,7 @@ struct LidarModel {
 [[nodiscard]] LidarModel readModel(const std::filesystem::path& file);
 [[nodiscard]] LidarModel parseModel(nlohmann::json json, const std::filesystem::path& file);
 
-/// The model with one more effect (or with other parameters of one that it has); numbers only.
+/// The model with one more effect (or with other parameters of one that it has).
 [[nodiscard]] LidarModel withEffect(const LidarModel& model, const std::string& name,
                                     const EffectParameters& parameters);
 

@@ -114,7 +114,11 @@ class PartFolder {
 }  // namespace
 
 std::vector<Beam> beamsOfSample(const Experiment&, const LidarModel& model, const Sample& sample) {
-  return sample.beams.empty() ? beamsOf(model.sensor(sample.sensor).scan) : readBeams(sample.beams);
+  const Scan& scan = model.sensor(sample.sensor).scan;
+  if (sample.beams.empty()) return beamsOf(scan);
+  std::vector<Beam> beams = readBeams(sample.beams);
+  applyGain(scan, beams);
+  return beams;
 }
 
 TracedSample traceSample(const Experiment& experiment, const LidarModel& model, const Sample& sample,

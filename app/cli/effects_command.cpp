@@ -21,6 +21,15 @@ ordered_json toJson(const model::ParameterInfo& parameter, const std::vector<std
   return json;
 }
 
+/// Its bounds hold for every number of the list; `count` null: any number of them.
+ordered_json toJson(const model::ListInfo& list) {
+  ordered_json json{{"name", list.name}, {"unit", list.unit}, {"min", list.min}, {"max", list.max}};
+  json["list"] = true;
+  json["count"] = list.count > 0 ? ordered_json(list.count) : ordered_json(nullptr);
+  json["meaning"] = list.meaning;
+  return json;
+}
+
 ordered_json toJson(const model::EffectEntry& entry) {
   const model::EffectInfo& info = entry.info;
   ordered_json json{{"name", info.name}, {"title", info.title}, {"stage", model::toString(info.stage)}};
@@ -29,6 +38,7 @@ ordered_json toJson(const model::EffectEntry& entry) {
   for (const model::ParameterInfo& parameter : info.parameters)
     json["parameters"].push_back(toJson(parameter, info.fitted));
   for (const auto& [name, choices] : entry.texts) json["parameters"].push_back({{"name", name}, {"choices", choices}});
+  for (const model::ListInfo& list : entry.lists) json["parameters"].push_back(toJson(list));
   json["source"] = info.source;
   return json;
 }
@@ -53,6 +63,11 @@ void printOne(std::ostream& out, const model::EffectEntry& entry) {
                        toJson(p, info.fitted)["fitted"] ? ", fitted by a diagnosis" : "", "", p.meaning);
   }
   for (const auto& [name, choices] : entry.texts) out << fmt::format("  {:<24} one of {}\n", name, core::join(choices));
+  for (const model::ListInfo& list : entry.lists) {
+    out << fmt::format("  {:<24} list of {}, each {:g} … {:g}{}\n{:27}{}\n", list.name,
+                       list.count > 0 ? std::to_string(list.count) : "numbers", list.min, list.max,
+                       list.unit.empty() ? "" : " " + list.unit, "", list.meaning);
+  }
   out << fmt::format("  source      {}\n", info.source);
 }
 
@@ -60,6 +75,8 @@ void printAll(std::ostream& out) {
   for (const model::EffectEntry& entry : model::allEffects()) {
     std::vector<std::string> names;
     for (const model::ParameterInfo& parameter : entry.info.parameters) names.push_back(parameter.name);
+    for (const auto& [name, choices] : entry.texts) names.push_back(name);
+    for (const model::ListInfo& list : entry.lists) names.push_back(list.name);
     out << fmt::format("{:<28} {:<22} {}\n", entry.info.name, model::toString(entry.info.stage), core::join(names));
   }
 }

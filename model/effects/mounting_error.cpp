@@ -8,16 +8,23 @@ namespace model::effects {
 
 namespace {
 
-/// The sensor stands turned against what everybody assumes: its beams leave in turned directions while it reports the
-/// nominal ones. d_true = Rz(yaw) · Ry(pitch) · Rx(roll) · d_nominal, ISO 8855 (positive pitch looks down). The
-/// cross-section of a beam does not roll along; at a few degrees that turns it by less than its own cells. Source:
-/// Glennie & Lichti 2010, doi:10.3390/rs2061610 (boresight angles).
+/// The sensor stands turned and shifted against what everybody assumes: its beams leave from another place in turned
+/// directions while it reports the nominal ones. d_true = Rz(yaw) · Ry(pitch) · Rx(roll) · d_nominal, ISO 8855
+/// (positive pitch looks down); origin = `position_m`, true minus assumed, in the frame of the scene. The cross-section
+/// of a beam does not roll along; at a few degrees that turns it by less than its own cells. Source: Glennie & Lichti
+/// 2010, doi:10.3390/rs2061610 (boresight angles).
 class MountingError final : public Effect {
  public:
   explicit MountingError(const EffectParameters& parameters) {
     turn_.yaw_deg = parameters.numberOr("yaw_deg", 0.0);
     turn_.pitch_deg = parameters.numberOr("pitch_deg", 0.0);
     turn_.roll_deg = parameters.numberOr("roll_deg", 0.0);
+    const std::vector<double> shift_m = parameters.listOr("position_m", {0.0, 0.0, 0.0});
+    std::copy_n(shift_m.begin(), shift_m_.size(), shift_m_.begin());
+  }
+
+  void prepare(ChainSettings& settings, const Environment&) override {
+    for (std::size_t i = 0; i < shift_m_.size(); ++i) settings.sensor_position_m[i] += shift_m_[i];
   }
 
   void aim(std::span<Beam> beams) const override {
@@ -35,6 +42,7 @@ class MountingError final : public Effect {
 
  private:
   Pose turn_;
+  Vector3 shift_m_{};
 };
 
 }  // namespace
@@ -52,7 +60,8 @@ EffectEntry mountingError() {
                .fitted = {"yaw_deg", "pitch_deg"},
                .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610",
                .moves_geometry = true},
-      .make = makeFrom<MountingError>};
+      .make = makeFrom<MountingError>,
+      .lists = {{"position_m", "m", -2.0, 2.0, 3, "True minus assumed position: forward, left, up"}}};
 }
 
 }  // namespace model::effects

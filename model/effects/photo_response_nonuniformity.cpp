@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "model/effects/declarations.h"
@@ -10,10 +9,15 @@ namespace {
 
 /// The receiver elements of the layers differ in gain, and stay so: a fixed pattern, drawn once from `pattern`.
 ///   P = P_even · max(0.05, 1 + stddev · N(layer))
+/// A measured pattern may be given in its place: `gain_per_layer`, P = P_even · gain. Sensors with more layers than the
+/// pattern has repeat it.
 /// Source: EMVA Standard 1288, release 4.0, sec. 4 (photo response nonuniformity).
 class PhotoResponseNonuniformity final : public Effect {
  public:
   explicit PhotoResponseNonuniformity(const EffectParameters& parameters) {
+    gain_ = parameters.listOr("gain_per_layer", {});
+    if (!gain_.empty()) return;
+    gain_.resize(kDrawnLayers);
     const double stddev = parameters.numberOr("stddev", 0.1);
     const auto pattern = static_cast<std::uint64_t>(std::llround(parameters.numberOr("pattern", 1.0)));
     core::Random random({.seed = pattern, .purpose = core::purposeOf("photo-response-nonuniformity")});
@@ -26,7 +30,8 @@ class PhotoResponseNonuniformity final : public Effect {
   }
 
  private:
-  std::array<double, 256> gain_{};  // by layer; sensors with more repeat the pattern
+  static constexpr std::size_t kDrawnLayers = 256;
+  std::vector<double> gain_;  ///< by layer
 };
 
 }  // namespace
@@ -41,7 +46,8 @@ EffectEntry photoResponseNonuniformity() {
                                   {"pattern", "", 0.0, 1e6, 1.0, "Which random pattern", false, 1.0}},
                    .fitted = {"stddev"},
                    .source = "EMVA Standard 1288, release 4.0"},
-          .make = makeFrom<PhotoResponseNonuniformity>};
+          .make = makeFrom<PhotoResponseNonuniformity>,
+          .lists = {{"gain_per_layer", "", 0.0, 10.0, 0, "Gain of each layer, in place of the random pattern"}}};
 }
 
 }  // namespace model::effects

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 
+#include "core/physics.h"
 #include "model/effects/declarations.h"
 
 namespace model::effects {
@@ -7,22 +9,35 @@ namespace model::effects {
 namespace {
 
 /// The receiver's output clips at a power: the reported peak is capped. Where the waveform crosses the threshold it is
-/// unchanged, as long as the cap lies above the threshold, so range and EPW stay (slow recovery is dead-time's).
+/// unchanged by the clipping itself, as long as the cap lies above the threshold. An overdriven amplifier recovers
+/// slowly: its overdrive decays with the time constant τ = `recovery_ns`, so the falling crossing comes late,
+///
+///   P_out = min(P, P_sat),   EPW' = EPW + c τ ln(P/P_sat) for P > P_sat
+///
+/// and with range at the centre of the crossings r' = r + c/4 · τ ln(P/P_sat); peak and leading edge stay. (What the
+/// receiver cannot see meanwhile is dead-time's.) The recovery is that of a first-order stage.
 /// Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform receivers).
 class Saturation final : public Effect {
  public:
-  explicit Saturation(const EffectParameters& parameters) : saturation_w_(parameters.number("saturation_w")) {}
+  explicit Saturation(const EffectParameters& parameters)
+      : saturation_w_(parameters.number("saturation_w")), recovery_ns_(parameters.numberOr("recovery_ns", 0.0)) {}
 
   void prepare(ChainSettings& settings, const Environment&) override {
     if (saturation_w_) settings.receiver.saturation_w = saturation_w_;
   }
   [[nodiscard]] bool changesEchoes() const override { return true; }
-  void process(Echo& echo, const Receiver& receiver, const ChainSettings&) const override {
-    if (receiver.saturation_w) echo.peak_w = std::min(echo.peak_w, *receiver.saturation_w);
+  void process(Echo& echo, const Receiver& receiver, const ChainSettings& settings) const override {
+    if (!receiver.saturation_w) return;
+    if (echo.peak_w <= *receiver.saturation_w) return;
+    const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(echo.peak_w / *receiver.saturation_w);
+    echo.epw_m += later_m;
+    if (settings.detection.range_mode == RangeMode::kCentre) echo.range_m += later_m / 4.0;
+    echo.peak_w = *receiver.saturation_w;
   }
 
  private:
   std::optional<double> saturation_w_;
+  double recovery_ns_;
 };
 
 }  // namespace
@@ -33,7 +48,8 @@ EffectEntry saturation() {
                    .stage = Stage::kReception,
                    .percollect = {"142"},
                    .parameters = {{"saturation_w", "W", 1e-10, 1e-3, std::nullopt,
-                                   "Power at which the output clips; without it the profile's", true, 1e-6}},
+                                   "Power at which the output clips; without it the profile's", true, 1e-6},
+                                  {"recovery_ns", "ns", 0.0, 50.0, 0.0, "Time constant of the recovery", false, 5.0}},
                    .fitted = {"saturation_w"},
                    .source = "Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001"},
           .make = makeFrom<Saturation>};

@@ -210,7 +210,6 @@ void GeometryPass::collectExactly(std::size_t begin, std::size_t end, Tile& tile
 
 /// Goes on behind panes and by way of mirrors, one ray at a time: such surfaces are few.
 void GeometryPass::follow(std::size_t begin, std::size_t end, Tile& tile) const {
-  tile.second.clear();
   tile.first_second.assign(1, 0);
   struct Open {
     Ray ray;
@@ -269,6 +268,8 @@ void GeometryPass::trace(std::size_t begin, std::size_t end, Tile& tile) const {
     tile.hits.clear();
     collectExactly(begin, end, tile);
   }
+  tile.second.clear();
+  tile.first_second.clear();  // what another scene left in a tile that is used again
   if (second_.most_turns > 0) follow(begin, end, tile);
 }
 

@@ -69,6 +69,10 @@ TEST(LidarModel, OneMoreEffectIsAddedAtItsPlaceAndInTheJson) {
   const LidarModel other = withEffect(more, "atmospheric-attenuation", parameters);
   EXPECT_EQ(other.effects.size(), 3u);
   EXPECT_EQ(other.effects[1].parameters.number("visibility_m"), 400.0);
+  EffectParameters shifted;
+  shifted.lists["position_m"] = {0.1, 0, -0.2};
+  const LidarModel mounted = withEffect(other, "mounting-error", shifted);
+  EXPECT_EQ(mounted.json["effects"]["mounting-error"]["position_m"], nlohmann::json({0.1, 0.0, -0.2}));
 }
 
 }  // namespace

@@ -77,6 +77,23 @@ TEST(Simulate, OwnBeamsReplaceTheScan) {
   EXPECT_NEAR(detections.range_m[0], 10 / std::cos(0.3) / std::cos(0.1), 1e-6);
 }
 
+// The gain of the scan over azimuth holds for beams that were listed one by one, too.
+TEST(Simulate, OwnBeamsHaveTheGainOfTheScan) {
+  const test_support::TemporaryFolder folder;
+  (void)folder.write("beams.csv", "layer,azimuth_rad,elevation_rad\n0,0,0\n0,0.1745329252,0\n");
+  lab::Case setup;
+  setup.scene = {lab::board(10, 60)};
+  setup.file = folder / "experiment.json";
+  setup.sensor["scan"]["layers"][0]["azimuth_gain"] = {{"azimuth_deg", {0, 10}}, {"gain", {1.0, 0.5}}};
+  json value = lab::experimentJson(setup);
+  value["samples"][0]["beams"] = "beams.csv";
+  const auto detections = simulate(parseExperiment(value, setup.file), lab::modelOf(setup), 0);
+  ASSERT_EQ(detections.size(), 2u);
+  EXPECT_NEAR(1e-9 * detections.intensity[0] / lab::radarEquation(10), 1.0, 1e-5);
+  const double slanted = std::cos(0.1745329252);
+  EXPECT_NEAR(1e-9 * detections.intensity[1] / lab::radarEquation(10 / slanted, 0.5, slanted), 0.5, 1e-5);
+}
+
 TEST(Simulate, EachSampleHasItsOwnSensor) {
   lab::Case setup;
   setup.scene = {lab::board(10)};

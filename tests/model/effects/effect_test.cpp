@@ -63,23 +63,29 @@ bool same(const core::Detections& a, const core::Detections& b) {
 TEST(Effects, WithoutStrengthChangeNoByte) {
   const core::Detections off = lab::fire(noisyCase());
   const std::pair<const char*, json> neutral[] = {{"aperture-offset", {{"offset_m", 0}}},
-                                                  {"mounting-error", {{"yaw_deg", 0}}},
+                                                  {"stray-radiation", {{"fraction", 0}}},
+                                                  {"mounting-error", {{"yaw_deg", 0}, {"position_m", {0, 0, 0}}}},
                                                   {"pulse-jitter", {{"power_stddev", 0}}},
                                                   {"atmospheric-attenuation", json::object()},
                                                   {"crosstalk", {{"rate_1_s", 0}}},
                                                   {"angular-reflection", json::object()},
                                                   {"surface-moisture", {{"wetness", 0}}},
                                                   {"retroreflection", json::object()},
+                                                  {"transmission", json::object()},
+                                                  {"multipath", json::object()},
+                                                  {"motion-scan", json::object()},
                                                   {"cover-contamination", {{"attenuation", 0}}},
                                                   {"photo-response-nonuniformity", {{"stddev", 0}}},
                                                   {"background-light", json::object()},
                                                   {"thermal-noise", json::object()},
                                                   {"saturation", json::object()},
+                                                  {"blooming", {{"fraction", 0}}},
                                                   {"dead-time", {{"dead_time_ns", 1}}},
                                                   {"dynamic-threshold", {{"factor", 5}}},
                                                   {"quantisation", json::object()},
                                                   {"range-gating", json::object()},
                                                   {"echo-merging", json::object()},
+                                                  {"latency", {{"delay_s", 0}}},
                                                   {"clock-drift", json::object()},
                                                   {"range-offset", json::object()},
                                                   {"angle-clipping", json::object()},
@@ -112,6 +118,9 @@ TEST(Effects, AreListedByTheProgramAsTheyDeclareThemselves) {
     const EffectInfo& info = allEffects()[i].info;
     EXPECT_EQ(listed["effects"][i]["name"], info.name);
     EXPECT_EQ(listed["effects"][i]["percollect"], json(info.percollect));
+    for (const ListInfo& list : allEffects()[i].lists) {
+      EXPECT_NE(listed["effects"][i]["parameters"].dump().find('"' + list.name + '"'), std::string::npos) << list.name;
+    }
     for (std::size_t p = 0; p < info.parameters.size(); ++p) {
       EXPECT_EQ(listed["effects"][i]["parameters"][p]["name"], info.parameters[p].name);
       EXPECT_EQ(listed["effects"][i]["parameters"][p]["max"], info.parameters[p].max);

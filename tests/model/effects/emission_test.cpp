@@ -74,6 +74,24 @@ TEST(MountingError, PositivePitchLooksDownAndPositiveRollLowersTheRight) {
   EXPECT_EQ(rangeToGround({{"roll_deg", 4.0}}, 90), 0.0);
 }
 
+// The sensor stands half a metre nearer to the wall and 0.4 m higher above the road than assumed.
+TEST(MountingError, PositionIsTrueMinusAssumed) {
+  const auto range = [](const std::vector<double>& position_m, const json& scene) {
+    lab::Case setup = lab::boardWith(20, "mounting-error", {{"position_m", position_m}, {"pitch_deg", 4.0}});
+    setup.scene = scene;
+    return lab::fire(setup).range_m.at(0);
+  };
+  const double pitch = 4 * std::numbers::pi / 180;
+  EXPECT_NEAR(range({0.5, 0.2, 0}, json::array({lab::board(20)})), 19.5 / std::cos(pitch), 1e-5);
+  const json road = json::array({lab::object("road", {{"type", "plane"}}, {0, 0, -1.5})});
+  EXPECT_NEAR(range({0, 0, 0.4}, road), 1.9 / std::sin(pitch), 1e-4);
+  lab::Case bad = lab::boardWith(20, "mounting-error", {{"position_m", {0.5, 0}}});
+  EXPECT_NE(lab::refusal([&] { (void)lab::modelOf(bad); }).find("/effects/mounting-error/position_m"),
+            std::string::npos);
+  bad.effects["mounting-error"]["position_m"] = {0, 0, 5};
+  EXPECT_NE(lab::refusal([&] { (void)lab::modelOf(bad); }).find("holds 5"), std::string::npos);
+}
+
 // n = 20 000: a standard deviation is known to 0.5 %; four standard errors.
 TEST(PulseJitter, PowerAndDurationScatterAsGiven) {
   lab::Case power = lab::boardWith(20, "pulse-jitter", {{"power_stddev", 0.05}});

@@ -93,5 +93,31 @@ TEST(DynamicThreshold, IsAMultipleOfTheNoiseThatIsThere) {
   EXPECT_NEAR(SignalChain(model.sensor(""), model.effects, {}).settings().receiver.threshold_w, 12e-9, 1e-18);
 }
 
+// Up to the window the threshold is (w/r)² of itself: width and leading edge are those of that threshold.
+TEST(DynamicThreshold, WithinItsWindowItFallsWithTheSquareOfTheRange) {
+  for (const double range : {6.0, 10.0, 29.0, 40.0}) {
+    const double raised = range < 30 ? std::pow(30 / range, 2) : 1.0;
+    lab::Case setup = lab::boardWith(range, "dynamic-threshold", {{"window", 30}});
+    const auto detections = lab::fire(setup);
+    const double epw = lab::epwLaw(lab::radarEquation(range), raised * lab::kThreshold_w);
+    EXPECT_NEAR(detections.epw_m.at(0), epw, 1e-5) << range;
+    EXPECT_NEAR(1e-9 * detections.intensity.at(0) / lab::radarEquation(range), 1.0, 1e-6);
+    setup.sensor["detection"]["range_mode"] = "leading-edge";
+    EXPECT_NEAR(lab::fire(setup).range_m.at(0), range - epw / 4, 1e-5);
+  }
+}
+
+TEST(DynamicThreshold, WeakEchoesInTheWindowAreLost) {
+  lab::Case setup = lab::boardWith(10, "dynamic-threshold", {{"window", 40}});  // 16 times the threshold there
+  const auto reflectivityOf = [](double times) { return 0.5 * times * lab::kThreshold_w / lab::radarEquation(10); };
+  setup.materials["grey"]["reflectivity"] = reflectivityOf(15);
+  EXPECT_EQ(lab::fire(setup).size(), 0u);
+  setup.materials["grey"]["reflectivity"] = reflectivityOf(18);
+  EXPECT_EQ(lab::fire(setup).size(), 1u);
+  setup.effects.clear();
+  setup.materials["grey"]["reflectivity"] = reflectivityOf(15);
+  EXPECT_EQ(lab::fire(setup).size(), 1u);
+}
+
 }  // namespace
 }  // namespace model

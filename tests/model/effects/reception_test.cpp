@@ -75,6 +75,29 @@ TEST(PhotoResponseNonuniformity, GainIsAFixedPatternOverLayers) {
   EXPECT_NE(gains(2), first);
 }
 
+TEST(PhotoResponseNonuniformity, MeasuredGainsReplaceThePattern) {
+  lab::Case setup = lab::boardWith(20, "photo-response-nonuniformity", {{"gain_per_layer", {0.5, 2.0}}});
+  const json layer = setup.sensor["scan"]["layers"][0];
+  setup.sensor["scan"]["layers"] = {layer, layer, layer};
+  const auto intensity = lab::fire(setup).intensity;
+  ASSERT_EQ(intensity.size(), 3u);
+  for (const auto& [i, gain] : {std::pair{0, 0.5}, {1, 2.0}, {2, 0.5}}) {
+    EXPECT_NEAR(1e-9 * intensity[static_cast<std::size_t>(i)] / lab::radarEquation(20), gain, 1e-6);
+  }
+}
+
+// The overdrive ln(P/P_sat) decays with τ: the fall comes so much later.
+TEST(Saturation, SlowRecoveryWidensTheEcho) {
+  const json parameters = {{"saturation_w", 1e-7}, {"recovery_ns", 4.0}};
+  const auto open = lab::fire(lab::boardWith(5));
+  const double later_m = 0.299792458 * 4 * std::log(lab::radarEquation(5) / 1e-7);
+  lab::Case setup = lab::boardWith(5, "saturation", parameters);
+  EXPECT_NEAR(lab::fire(setup).epw_m.at(0), open.epw_m.at(0) + later_m, 1e-5);
+  EXPECT_EQ(lab::fire(setup).range_m, open.range_m);  // at the peak
+  setup.sensor["detection"]["range_mode"] = "centre";
+  EXPECT_NEAR(lab::fire(setup).range_m.at(0), 5 + later_m / 4, 1e-5);
+}
+
 TEST(Saturation, CapsTheIntensityAndLeavesTheCrossings) {
   const auto clipped = lab::fire(lab::boardWith(5, "saturation", {{"saturation_w", 1e-7}}));
   const auto open = lab::fire(lab::boardWith(5));
