@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +12,9 @@ namespace core {
 struct Detections {
   std::vector<std::int32_t> frame;    ///< from 0
   std::vector<double> time_s;         ///< since the start of the frame; empty if not recorded
-  std::vector<std::int32_t> layer;    ///< index in the profile; empty if directions were not recorded
-  std::vector<double> azimuth_rad;    ///< positive to the left; empty like layer
-  std::vector<double> elevation_rad;  ///< positive up; empty like layer
+  std::vector<std::int32_t> layer;    ///< index in the profile; empty if not recorded (point clouds often lack it)
+  std::vector<double> azimuth_rad;    ///< positive to the left; empty if directions were not recorded
+  std::vector<double> elevation_rad;  ///< positive up; empty like azimuth_rad
   std::vector<std::int32_t> echo;     ///< from 1
   std::vector<double> range_m;
   std::vector<double> epw_m;      ///< echo pulse width c·Δt, not halved; empty if not recorded
@@ -32,13 +30,14 @@ struct Detections {
 /// The detections of these indices, in their order, as often as they are listed.
 [[nodiscard]] Detections selected(const Detections& detections, std::span<const std::size_t> indices);
 
-/// Reads a measurement CSV (formats.md section 1). `columns` maps our names to the file's ("range_m" -> "Distance").
-/// Unknown further columns are ignored. Throws InputError with line and column: a cell that is no finite number, a
-/// negative frame, range_m missing.
-[[nodiscard]] Detections readDetections(const std::filesystem::path& file,
-                                        const std::map<std::string, std::string>& columns = {});
+/// A column of a measurement: its name and where its values are, in one of the two.
+struct DetectionColumn {
+  const char* name;
+  std::vector<double> Detections::*real;
+  std::vector<std::int32_t> Detections::*whole;
+};
 
-/// Writes it again, lengths to 0.1 mm and angles to a microradian. gzip if the name says so.
-void writeDetections(const std::filesystem::path& file, const Detections& detections);
+/// All columns, in the order in which a measurement lists them.
+[[nodiscard]] std::span<const DetectionColumn> detectionColumns();
 
 }  // namespace core

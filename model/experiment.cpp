@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "core/detection_files/detection_file.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "model/scene/triangles.h"
+#include "model/sensor/layers.h"
 
 namespace model {
 
@@ -272,12 +274,22 @@ std::vector<EpistemicOffsets> epistemicCorners(const Sample& sample) {
   return corners;
 }
 
+std::vector<Beam> beamsFired(const Experiment& experiment, const Sample& sample) {
+  if (!sample.beams.empty()) return readBeams(sample.beams);
+  const bool several = !experiment.sensors.empty();
+  const std::string pointer = several ? "/sensors/" + sample.sensor : "/sensor";
+  const json& sensor = several ? experiment.json.at("sensors").at(sample.sensor) : experiment.json.at("sensor");
+  return beamsOf(resolveSensorProfile(sensor, experiment.file, pointer).scan);
+}
+
 core::Detections readMeasurements(const Experiment& experiment, const Sample& sample) {
   if (sample.measurements.empty()) {
     throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "'"}, "names no measurements.",
                            "Add the key 'measurements'.");
   }
-  return core::readDetections(sample.measurements, experiment.columns);
+  core::Detections detections = core::readDetections(sample.measurements, experiment.columns);
+  if (detections.layer.empty()) addLayers(detections, beamsFired(experiment, sample));
+  return detections;
 }
 
 std::vector<std::size_t> indicesInsideGate(const core::Detections& detections, const Situation& situation,

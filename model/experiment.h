@@ -9,6 +9,7 @@
 
 #include "core/detections.h"
 #include "model/scene/scene.h"
+#include "model/sensor/beams.h"
 #include "model/sensor/sensor_profile.h"
 
 namespace model {
@@ -105,7 +106,11 @@ using EpistemicOffsets = std::vector<double>;
 /// The centre (all zero) first, then every corner of the epistemic box. 1 entry without epistemic quantities.
 [[nodiscard]] std::vector<EpistemicOffsets> epistemicCorners(const Sample& sample);
 
-/// The measured detections of a sample.
+/// The beams of the sensor that measured: the sample's own list, or the scan of the experiment's profile.
+[[nodiscard]] std::vector<Beam> beamsFired(const Experiment& experiment, const Sample& sample);
+
+/// The measured detections of a sample, from a file of any format (core/detection_files). Directions without layers get
+/// those of the beams fired.
 [[nodiscard]] core::Detections readMeasurements(const Experiment& experiment, const Sample& sample);
 
 /// Detections inside the object's box, widened by the margin on all sides. The box is the nominal one.

@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "core/detection_files/detection_file.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/version.h"

@@ -4,6 +4,7 @@ namespace app {
 
 void addAcceptCommand(CLI::App& program, Session& session);
 void addCepraCommand(CLI::App& program, Session& session);
+void addConvertCommand(CLI::App& program, Session& session);
 void addEffectsCommand(CLI::App& program, Session& session);
 void addExplainCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
@@ -23,9 +24,10 @@ void addValidityCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,   addCepraCommand,       addSpecCommand,     addAcceptCommand,  addMetricCommand,
-      addValidityCommand, addPredictCommand,     addSimulateCommand, addExplainCommand, addObjectsCommand,
-      addGapCommand,      addSensitivityCommand, addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
+      addImportCommand,  addCepraCommand,    addSpecCommand,      addAcceptCommand,
+      addMetricCommand,  addValidityCommand, addPredictCommand,   addSimulateCommand,
+      addExplainCommand, addObjectsCommand,  addGapCommand,       addSensitivityCommand,
+      addEffectsCommand, addSensorsCommand,  addMaterialsCommand, addConvertCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -227,6 +227,25 @@ TEST(Experiment, MeasurementsAreReadWithMappedColumnsAndGzip) {
   EXPECT_TRUE(detections.intensity.empty());
 }
 
+TEST(Experiment, PointCloudsGetTheLayersOfTheBeamsFired) {
+  const test_support::TemporaryFolder folder;
+  (void)folder.write("beams.csv", "layer,azimuth_rad,elevation_rad\n4,0.1,0\n6,0.1,0.02\n");
+  (void)folder.write("s.pcd",
+                     "VERSION 0.7\nFIELDS x y z w\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+                     "POINTS 2\nDATA ascii\n10 1 0.3 2.5\n10 1 -0.1 2.25\n");
+  json value = package();
+  value["columns"] = {{"epw_m", "w"}};
+  value["samples"][0]["measurements"] = "s.pcd";
+  value["samples"][0]["beams"] = "beams.csv";
+  const Experiment experiment = parseExperiment(value, folder / "experiment.json");
+  const core::Detections detections = readMeasurements(experiment, experiment.samples[0]);
+  EXPECT_EQ(detections.layer, (std::vector<std::int32_t>{6, 4}));
+  EXPECT_EQ(detections.epw_m, (std::vector<double>{2.5, 2.25}));
+  value["samples"][0].erase("beams");
+  const Experiment scanned = parseExperiment(value, folder / "experiment.json");
+  EXPECT_EQ(readMeasurements(scanned, scanned.samples[0]).layer.size(), 2u);
+}
+
 TEST(Experiment, DirectionsMayBeUnrecorded) {
   const test_support::TemporaryFolder folder;
   (void)folder.write("s.csv", "frame,range_m\n0,9.5\n1,9.6\n");

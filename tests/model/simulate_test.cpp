@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "core/detection_files/detection_file.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
