@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <memory>
 
 #include "acceptance/attainability.h"
 #include "acceptance/sample_values.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/text.h"
+#include "model/external/external_runs.h"
 #include "model/simulate.h"
 #include "report/edf_figure.h"
 
@@ -103,6 +106,8 @@ class Evaluation {
   void noteUsedFiles();
   SampleResult evaluateSample(std::size_t index);
   std::vector<core::Detections> simulateCorners(std::size_t index);
+  void askExternalModel();
+  [[nodiscard]] model::Experiment withFrames() const;
   core::Detections gated(core::Detections detections, const model::Situation& situation, const char* side) const;
   void decide(SampleResult& sample, const Sides& sides, const Distributions& distributions) const;
   void draw(SampleResult& sample, const Distributions& distributions) const;
@@ -120,6 +125,7 @@ class Evaluation {
   std::vector<std::size_t> indices_;
   std::size_t simulations_ = 0;
   std::size_t simulated_ = 0;
+  std::map<std::size_t, std::vector<core::Detections>> external_;  // by sample, in the order of its corners
 };
 
 void Evaluation::readInputs() {
@@ -140,7 +146,7 @@ void Evaluation::readInputs() {
   result_.unit = measurand_.unit;
   gate_ = gateOf(task_, experiment_);
   indices_ = selectedSamples(task_, experiment_);
-  for (const std::size_t index : indices_) simulations_ += model::epistemicCorners(experiment_.samples[index]).size();
+  for (const std::size_t index : indices_) simulations_ += model::cornersOf(model_, experiment_.samples[index]).size();
 }
 
 void Evaluation::noteUsedFiles() {
@@ -149,6 +155,7 @@ void Evaluation::noteUsedFiles() {
     for (const fs::path& file : model::filesOf(experiment_, experiment_.samples[index])) files.push_back(file);
   }
   files.push_back(model_.file);
+  for (const fs::path& file : model::filesOf(model_)) files.push_back(file);
   for (const nlohmann::json* json : {&experiment_.json, &model_.json}) {
     const auto sensor = json->find("sensor");
     if (sensor != json->end() && sensor->is_string()) {
@@ -174,11 +181,15 @@ core::Detections Evaluation::gated(core::Detections detections, const model::Sit
 }
 
 std::vector<core::Detections> Evaluation::simulateCorners(std::size_t index) {
-  model::Experiment experiment = experiment_;
-  model::Sample& sample = experiment.samples[index];
-  if (task_.test.frames) sample.frames = *task_.test.frames;
+  const model::Experiment experiment = withFrames();
+  const model::Sample& sample = experiment.samples[index];
   const model::Situation nominal = model::situationOf(experiment, sample);
   std::vector<core::Detections> runs;
+  if (model_.external) {
+    simulated_ += external_.at(index).size();
+    for (core::Detections& run : external_.at(index)) runs.push_back(gated(std::move(run), nominal, "simulation"));
+    return runs;
+  }
   for (const model::EpistemicOffsets& corner : model::epistemicCorners(sample)) {
     core::stopIfCancelled(progress_);
     progress_.report(static_cast<double>(simulated_++) / static_cast<double>(simulations_),
@@ -186,6 +197,27 @@ std::vector<core::Detections> Evaluation::simulateCorners(std::size_t index) {
     runs.push_back(gated(model::simulate(experiment, model_, index, corner, result_.seed), nominal, "simulation"));
   }
   return runs;
+}
+
+model::Experiment Evaluation::withFrames() const {
+  model::Experiment experiment = experiment_;
+  for (const std::size_t index : indices_) {
+    if (task_.test.frames) experiment.samples[index].frames = *task_.test.frames;
+  }
+  return experiment;
+}
+
+/// A model that is not ours is started once for all samples and corners, not once for each.
+void Evaluation::askExternalModel() {
+  if (!model_.external) return;
+  const model::Experiment experiment = withFrames();
+  std::vector<model::WantedRun> wanted;
+  for (const std::size_t index : indices_) {
+    for (const auto& corner : model::cornersOf(model_, experiment.samples[index])) wanted.push_back({index, corner});
+  }
+  const auto asked = task_.external ? task_.external : std::make_shared<model::ExternalRuns>();
+  const auto runs = asked->run(experiment, model_, wanted, result_.seed, progress_);
+  for (std::size_t i = 0; i < runs.size(); ++i) external_[wanted[i].sample].push_back(runs[i].detections);
 }
 
 SampleResult Evaluation::evaluateSample(std::size_t index) {
@@ -210,6 +242,9 @@ SampleResult Evaluation::evaluateSample(std::size_t index) {
   const double done = static_cast<double>(simulated_) / static_cast<double>(simulations_);
   core::PartOfProgress here(progress_, done, done);
   result.remarks = unattainableLimits(result.relations, distributions, measurand_.unit, result_.seed, here);
+  if (model_.external && runs.size() < model::epistemicCorners(sample).size()) {
+    result.remarks.emplace_back("The recorded simulation has no corners of the epistemic box: one run stands for it.");
+  }
   if (distributions.complete()) draw(result, distributions);
   return result;
 }
@@ -320,6 +355,7 @@ void Evaluation::run() {
   readInputs();
   checkExpression();
   noteUsedFiles();
+  askExternalModel();
   for (const std::size_t index : indices_) result_.samples.push_back(evaluateSample(index));
   summarise();
 }

@@ -2,12 +2,17 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "acceptance/result.h"
 #include "core/progress.h"
+
+namespace model {
+class ExternalRuns;
+}
 
 namespace acceptance {
 
@@ -18,6 +23,8 @@ struct TestTask {
   std::filesystem::path folder;                ///< where the test's relative paths begin
   std::optional<std::filesystem::path> model;  ///< in place of the test's model
   std::optional<std::uint64_t> seed;           ///< in place of the model's
+  /// Answers of models that are not ours, shared by the tests of one session; nullptr: this test has its own.
+  std::shared_ptr<model::ExternalRuns> external;
 };
 
 /// Reads the experiment package and the model, re-simulates every selected sample at its nominal values and at each

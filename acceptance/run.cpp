@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "core/version.h"
+#include "model/external/external_runs.h"
 
 namespace acceptance {
 
@@ -84,6 +85,7 @@ specs::TestVerdict toVerdict(const TestResult& result) {
 RunResult runTests(const specs::ProjectStore& store, const RunOptions& options, core::Progress& progress) {
   RunResult result = {.project = store.file().stem().string(), .program_version = core::kVersion, .tests = {}};
   const std::vector<specs::AcceptanceTest> tests = chosenTests(store, options);
+  const auto external = std::make_shared<model::ExternalRuns>();
   const auto share = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(tests.size()); };
   for (std::size_t i = 0; i < tests.size(); ++i) {
     core::stopIfCancelled(progress);
@@ -91,7 +93,8 @@ RunResult runTests(const specs::ProjectStore& store, const RunOptions& options, 
                            .requirements = requirementsOf(store, tests[i].id),
                            .folder = store.folder(),
                            .model = options.model,
-                           .seed = options.seed};
+                           .seed = options.seed,
+                           .external = external};
     if (tests[i].status == specs::Status::Rejected && options.tests.empty()) {
       TestResult& skipped = result.tests.emplace_back();
       skipped.test = task.test;

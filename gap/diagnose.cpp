@@ -8,6 +8,7 @@
 #include "gap/how_far.h"
 #include "gap/pictures.h"
 #include "gap/wording.h"
+#include "model/external/external_runs.h"
 
 namespace gap {
 
@@ -272,6 +273,7 @@ std::string toString(VerdictKind kind) {
 
 Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel& given, const DiagnoseOptions& options,
                    core::Progress& progress) {
+  model::requireBuiltIn(given, "the diagnosis");
   const auto start = std::chrono::steady_clock::now();
   const model::LidarModel model = withInlineSensor(given);
   const std::uint64_t seed = options.seed.value_or(model.seed);

@@ -40,6 +40,21 @@ void readSensors(core::JsonObject& object, LidarModel& model) {
   }
 }
 
+void readBuiltIn(core::JsonObject& object, LidarModel& model) {
+  readSensors(object, model);
+  if (object.has("rays_per_beam")) {
+    const auto rays = object.numbers("rays_per_beam", 2);
+    for (const double count : rays) {
+      if (count < 1 || count > 1000 || count != static_cast<int>(count)) {
+        object.fail("rays_per_beam", "must be two whole numbers from 1 to 1000.", "Write [horizontal, vertical].");
+      }
+    }
+    model.rays_horizontal = static_cast<int>(rays[0]);
+    model.rays_vertical = static_cast<int>(rays[1]);
+  }
+  if (object.has("effects")) readEffects(object.object("effects"), model);
+}
+
 }  // namespace
 
 bool LidarModel::has(const std::string& effect) const {
@@ -49,6 +64,10 @@ bool LidarModel::has(const std::string& effect) const {
 const SensorProfile& LidarModel::sensor(const std::string& name) const {
   const auto found = sensors.find(name);
   if (found != sensors.end()) return found->second;
+  if (external) {
+    throw core::InputError({.file = file}, "is no model of the built-in lidar: it has no sensor.",
+                           "Use a model with a sensor, or leave this to simulate, metric and accept.");
+  }
   if (sensors.size() == 1 && (name.empty() || sensors.begin()->first.empty())) return sensors.begin()->second;
   throw core::InputError({.file = file, .item = "/sensors"}, "has no sensor '" + name + "'.",
                          "An experiment with several sensors needs a model with sensors of the same names.");
@@ -62,19 +81,9 @@ LidarModel parseModel(nlohmann::json value, const std::filesystem::path& file) {
   object.expectFormat("fidelis-model", 1);
   model.id = object.text("id");
   (void)object.textOr("title", "");
-  readSensors(object, model);
-  if (object.has("rays_per_beam")) {
-    const auto rays = object.numbers("rays_per_beam", 2);
-    for (const double count : rays) {
-      if (count < 1 || count > 1000 || count != static_cast<int>(count)) {
-        object.fail("rays_per_beam", "must be two whole numbers from 1 to 1000.", "Write [horizontal, vertical].");
-      }
-    }
-    model.rays_horizontal = static_cast<int>(rays[0]);
-    model.rays_vertical = static_cast<int>(rays[1]);
-  }
   model.seed = static_cast<std::uint64_t>(object.integerOr("seed", 1, {.min = 0}));
-  if (object.has("effects")) readEffects(object.object("effects"), model);
+  model.external = readExternalModel(object);
+  if (!model.external) readBuiltIn(object, model);
   object.finish();
   return model;
 }

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/effects/effect.h"
+#include "model/external/external_model.h"
 
 namespace model {
 
@@ -24,11 +26,12 @@ struct LidarModel {
   int rays_horizontal = 1;
   int rays_vertical = 1;
   std::uint64_t seed = 1;
-  std::vector<ActiveEffect> effects;  ///< in the order of the signal chain
-  nlohmann::json json;                ///< as read
+  std::vector<ActiveEffect> effects;      ///< in the order of the signal chain
+  nlohmann::json json;                    ///< as read
+  std::optional<ExternalModel> external;  ///< a command or a recording in place of all of the above but id and seed
 
   [[nodiscard]] bool has(const std::string& effect) const;
-  /// Throws InputError if the model has no sensor of that name.
+  /// Throws InputError if the model has no sensor of that name, or is external.
   [[nodiscard]] const SensorProfile& sensor(const std::string& name) const;
 };
 

@@ -1,6 +1,5 @@
 #include "model/simulate.h"
 
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <set>
@@ -10,6 +9,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/version.h"
+#include "model/external/external_runs.h"
+#include "model/package_files.h"
 
 namespace model {
 
@@ -28,32 +29,6 @@ RayTracer tracerOf(const Scene& scene, const SignalChain& chain, std::span<const
     for (std::size_t k = 0; k < 3; ++k) object.velocity_m_s[k] -= own[k];
   }
   return RayTracer(relative, timesOf(beams));
-}
-
-/// Copies what the package refers to besides the measurements, keeping relative places.
-void copyReferenced(const Experiment& experiment, const std::filesystem::path& folder) {
-  for (const Sample& sample : experiment.samples) {
-    for (const std::filesystem::path& file : filesOf(experiment, sample)) {
-      if (file == experiment.file || file == sample.measurements) continue;
-      const auto place = file.lexically_normal().lexically_relative(experiment.folder().lexically_normal());
-      if (place.empty() || *place.begin() == "..") {
-        throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "'"},
-                               "refers to " + file.string() + ", which lies outside the package.",
-                               "Copy the file into the package: the simulated one takes its files along.");
-      }
-      std::filesystem::create_directories((folder / place).parent_path());
-      std::filesystem::copy_file(file, folder / place, std::filesystem::copy_options::overwrite_existing);
-    }
-  }
-}
-
-/// A sample's id as the name of a file.
-std::string fileNameOf(std::string id) {
-  for (char& c : id) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
-    if (!plain) c = '_';
-  }
-  return id;
 }
 
 nlohmann::json simulatedExperimentJson(const Experiment& experiment, const LidarModel& model) {
@@ -114,7 +89,8 @@ class PartFolder {
 
 }  // namespace
 
-std::vector<Beam> beamsOfSample(const Experiment&, const LidarModel& model, const Sample& sample) {
+std::vector<Beam> beamsOfSample(const Experiment& experiment, const LidarModel& model, const Sample& sample) {
+  if (model.external) return beamsFired(experiment, sample);
   const Scan& scan = model.sensor(sample.sensor).scan;
   if (sample.beams.empty()) return beamsOf(scan);
   std::vector<Beam> beams = readBeams(sample.beams);
@@ -141,6 +117,7 @@ BeamHits traceWith(const SignalChain& chain, const Scene& scene, std::vector<Bea
 
 core::Detections simulate(const Experiment& experiment, const LidarModel& model, std::size_t sample_index,
                           const EpistemicOffsets& offsets, std::optional<std::uint64_t> seed) {
+  if (model.external) return externalRun(experiment, model, {sample_index, offsets}, seed).detections;
   const Sample& sample = experiment.samples.at(sample_index);
   const RunOptions options{
       .seed = seed.value_or(model.seed), .sample = static_cast<std::uint32_t>(sample_index), .frames = sample.frames};
@@ -168,6 +145,7 @@ void simulatePackage(const Experiment& experiment, const LidarModel& model, cons
     throw core::InputError({.file = folder}, "exists and is not an empty folder.", "Name a new folder for the result.");
   }
   const nlohmann::json json = simulatedExperimentJson(experiment, model);
+  const std::vector<ExternalRun> external = nominalRuns(experiment, model, seed, progress);
   const PartFolder part(folder);
   try {
     copyReferenced(experiment, part.path());
@@ -177,7 +155,7 @@ void simulatePackage(const Experiment& experiment, const LidarModel& model, cons
                       "simulating " + experiment.samples[i].id);
       const fs::path file = part.path() / json["samples"][i]["measurements"].get<std::string>();
       fs::create_directories(file.parent_path());
-      core::writeDetections(file, simulate(experiment, model, i, {}, seed));
+      core::writeDetections(file, model.external ? external[i].detections : simulate(experiment, model, i, {}, seed));
     }
     core::writeJson(part.path() / "experiment.json", json);
     fs::permissions(part.path(),

@@ -10,7 +10,8 @@
 
 namespace model {
 
-/// The beams that a sample fires: its own list, or the scan of the model's profile.
+/// The beams that a sample fires: its own list, or the scan of the model's profile (of the experiment's, if the model
+/// is not the built-in lidar).
 [[nodiscard]] std::vector<Beam> beamsOfSample(const Experiment& experiment, const LidarModel& model,
                                               const Sample& sample);
 
@@ -27,7 +28,8 @@ struct TracedSample {
                                  const SubRays& rays);
 
 /// Simulates one sample at one corner of its epistemic box. `seed` overrides the model's. Reported directions are
-/// those of the scan (the sensor does not know that it is misaligned).
+/// those of the scan (the sensor does not know that it is misaligned). A model that is not ours is asked for this one
+/// run (external/external_runs.h asks it for many at once).
 [[nodiscard]] core::Detections simulate(const Experiment& experiment, const LidarModel& model, std::size_t sample,
                                         const EpistemicOffsets& offsets = {},
                                         std::optional<std::uint64_t> seed = std::nullopt);

@@ -14,6 +14,7 @@
 #include "core/text.h"
 #include "metrics/distributions/edf.h"
 #include "metrics/sensitivity/sensitivity_plan.h"
+#include "model/external/external_runs.h"
 #include "model/simulate.h"
 
 namespace app {
@@ -164,7 +165,9 @@ void run(const Options& options, const Session& session) {
     pointers.push_back(ranges.back().name);
   }
   const SensitivityPlan plan = planFor(ranges, options, session);
-  const VariedModel varied(model::readExperiment(options.experiment), model::readModel(options.model), pointers);
+  const model::LidarModel model = model::readModel(options.model);
+  model::requireBuiltIn(model, "'fidelis sensitivity' with --model");
+  const VariedModel varied(model::readExperiment(options.experiment), model, pointers);
   checkGate(varied.experiment(), options);
 
   std::vector<std::vector<SensitivityOutput>> outputs;  // by sample
