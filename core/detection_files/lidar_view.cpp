@@ -138,7 +138,7 @@ std::vector<LidarSensorView> readLidarSensorViews(const std::filesystem::path& f
   if (trace.kind == OsiKind::kSensorData) {
     throw InputError({.file = file}, "holds detections (SensorData), not reflections.", "Read it as a measurement.");
   }
-  if (!any) throw noLidarIn(trace);
+  if (!any) throw noLidarIn(trace, without_version);
   if (without_version) checkOsiVersion(trace, *without_version, false, 0);
   return views;
 }

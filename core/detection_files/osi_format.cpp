@@ -79,6 +79,12 @@ void append(const osi3::LidarDetection& from, const Place& place, std::size_t me
 /// Which beam a detection belongs to, in its frame: by its number, else by its direction.
 using BeamKey = std::tuple<std::int32_t, std::uint64_t, double, double>;
 
+BeamKey beamOf(const osi3::LidarDetection& detection, std::size_t message) {
+  const auto frame = static_cast<std::int32_t>(message);
+  if (detection.has_beam_id()) return {frame, detection.beam_id().value() + 1, 0.0, 0.0};
+  return {frame, 0, detection.position().azimuth(), detection.position().elevation()};
+}
+
 /// Echoes of one beam are counted from the nearest on.
 void numberEchoes(const std::vector<BeamKey>& beams, Detections& detections) {
   std::map<BeamKey, std::vector<std::size_t>> echoes;
@@ -104,51 +110,76 @@ class OneSensor {
   std::optional<int> index_;
 };
 
-Detections read(const DetectionSource& source) {
-  const OsiTrace trace = readOsiTrace(source.file, source.content);
-  if (trace.kind == OsiKind::kSensorView) {
-    bool lidar = false;
-    for (const std::string_view bytes : trace.messages) {
-      osi3::SensorView view;
-      lidar = lidar ||
-              (view.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) && view.lidar_sensor_view_size() > 0);
-    }
-    if (!lidar) throw noLidarIn(trace);
-    throw InputError({.file = source.file}, "holds reflections (SensorView): what a lidar model is fed with.",
-                     "Give detections (SensorData), or use 'fidelis convert --reflections' to see the hits as points.");
-  }
-  Detections detections;
-  std::vector<BeamKey> beams;
-  Recorded recorded;
-  OneSensor one_sensor;
+/// Why a trace of views cannot be read as a measurement.
+InputError notDetections(const OsiTrace& trace) {
   bool lidar = false;
   std::optional<std::size_t> without_version;
   for (std::size_t m = 0; m < trace.messages.size(); ++m) {
+    osi3::SensorView view;
+    if (!view.ParseFromArray(trace.messages[m].data(), static_cast<int>(trace.messages[m].size()))) continue;
+    lidar = lidar || view.lidar_sensor_view_size() > 0;
+    if (!view.has_version() && !without_version) without_version = m;
+  }
+  if (!lidar) return noLidarIn(trace, without_version);
+  return {{.file = trace.file},
+          "holds reflections (SensorView): what a lidar model is fed with.",
+          "Give detections (SensorData), or use 'fidelis convert --reflections' to see the hits as points."};
+}
+
+/// Gathers the detections of a trace message by message.
+class TraceReader {
+ public:
+  explicit TraceReader(const OsiTrace& trace) : trace_(trace) {}
+
+  void read(std::size_t message) {
     osi3::SensorData data;
-    if (!data.ParseFromArray(trace.messages[m].data(), static_cast<int>(trace.messages[m].size()))) {
-      throw InputError(trace.placeOf(m), "is no valid SensorData.", "Copy or record the trace again.");
+    const std::string_view bytes = trace_.messages[message];
+    if (!data.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+      throw InputError(trace_.placeOf(message), "is no valid SensorData.", "Copy or record the trace again.");
     }
-    if (!data.has_version() && !without_version) without_version = m;
-    if (data.has_version()) checkOsiVersion(trace, m, true, data.version().version_major());
+    if (data.has_version()) checkOsiVersion(trace_, message, true, data.version().version_major());
+    if (!data.has_version() && !without_version_) without_version_ = message;
     for (int s = 0; s < data.feature_data().lidar_sensor_size(); ++s) {
-      lidar = true;
-      const osi3::LidarDetectionData& sensor = data.feature_data().lidar_sensor(s);
-      for (int d = 0; d < sensor.detection_size(); ++d) {
-        const osi3::LidarDetection& detection = sensor.detection(d);
-        if (detection.classification() == kInvalidDetection) continue;
-        const Place place = placeOf(trace, m, d);
-        one_sensor.use(s, place);
-        append(detection, place, m, recorded, detections);
-        beams.emplace_back(static_cast<std::int32_t>(m), detection.has_beam_id() ? detection.beam_id().value() + 1 : 0,
-                           detection.has_beam_id() ? 0.0 : detection.position().azimuth(),
-                           detection.has_beam_id() ? 0.0 : detection.position().elevation());
-      }
+      readSensor(data.feature_data().lidar_sensor(s), s, message);
     }
   }
-  if (!lidar) throw noLidarIn(trace);
-  if (without_version) checkOsiVersion(trace, *without_version, false, 0);
-  numberEchoes(beams, detections);
-  return detections;
+
+  /// All that was read, once every message is.
+  Detections take() {
+    if (!lidar_) throw noLidarIn(trace_, without_version_);
+    if (without_version_) checkOsiVersion(trace_, *without_version_, false, 0);
+    numberEchoes(beams_, detections_);
+    return std::move(detections_);
+  }
+
+ private:
+  void readSensor(const osi3::LidarDetectionData& sensor, int index, std::size_t message) {
+    lidar_ = true;
+    for (int d = 0; d < sensor.detection_size(); ++d) {
+      const osi3::LidarDetection& detection = sensor.detection(d);
+      if (detection.classification() == kInvalidDetection) continue;
+      const Place place = placeOf(trace_, message, d);
+      one_sensor_.use(index, place);
+      append(detection, place, message, recorded_, detections_);
+      beams_.push_back(beamOf(detection, message));
+    }
+  }
+
+  const OsiTrace& trace_;
+  Detections detections_;
+  std::vector<BeamKey> beams_;
+  Recorded recorded_;
+  OneSensor one_sensor_;
+  bool lidar_ = false;
+  std::optional<std::size_t> without_version_;
+};
+
+Detections read(const DetectionSource& source) {
+  const OsiTrace trace = readOsiTrace(source.file, source.content);
+  if (trace.kind == OsiKind::kSensorView) throw notDetections(trace);
+  TraceReader reader(trace);
+  for (std::size_t message = 0; message < trace.messages.size(); ++message) reader.read(message);
+  return reader.take();
 }
 
 // -- writing

@@ -134,11 +134,13 @@ void appendOsiMessage(std::string& trace, const std::string& message) {
   trace += message;
 }
 
-InputError noLidarIn(const OsiTrace& trace) {
+InputError noLidarIn(const OsiTrace& trace, std::optional<std::size_t> without_version) {
+  const std::string also =
+      without_version ? fmt::format(" Message {} has no interface version either.", *without_version + 1) : "";
   const bool view = trace.kind == OsiKind::kSensorView;
   return {{.file = trace.file},
-          fmt::format("has no lidar inside: none of its {} {} messages has {}.", trace.messages.size(),
-                      nameOf(trace.kind), view ? "a lidar_sensor_view" : "a feature_data.lidar_sensor"),
+          fmt::format("has no lidar inside: none of its {} {} messages has {}.{}", trace.messages.size(),
+                      nameOf(trace.kind), view ? "a lidar_sensor_view" : "a feature_data.lidar_sensor", also),
           view ? "Record what the lidar reports (SensorData), or the view of a lidar's environment model."
                : "Record the lidar's detections (feature_data)."};
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,8 @@ void checkOsiVersion(const OsiTrace& trace, std::size_t message, bool has, unsig
 /// Appends length and message.
 void appendOsiMessage(std::string& trace, const std::string& message);
 
-/// For a trace in which no message has what was looked for.
-[[nodiscard]] InputError noLidarIn(const OsiTrace& trace);
+/// For a trace in which no message has what was looked for; `without_version` is the first that lacks its version, too.
+[[nodiscard]] InputError noLidarIn(const OsiTrace& trace, std::optional<std::size_t> without_version = std::nullopt);
 
 /// The release of the standard whose fields we write.
 inline constexpr unsigned kOsiMajor = 3;

@@ -150,6 +150,8 @@ TEST(OsiShared, TracesWithoutLidarSaySo) {
     EXPECT_THAT(errorOf(path), AllOf(HasSubstr("no lidar inside"), HasSubstr(trace.messages)));
     EXPECT_THAT(test_support::thrownMessage([&] { (void)readLidarSensorViews(path); }), HasSubstr("no lidar inside"));
   }
+  const auto invalid = shared / "data/formats/osi/qc_invalid_version.osi";
+  EXPECT_THAT(errorOf(invalid), HasSubstr("Message 1 has no interface version"));
 }
 
 }  // namespace
