@@ -8,6 +8,7 @@
 #include "core/detection_files/detection_file.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "model/scene/mesh.h"
 #include "model/scene/triangles.h"
 #include "model/sensor/layers.h"
 
@@ -337,7 +338,10 @@ std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const S
   if (!sample.beams.empty()) files.push_back(sample.beams);
   const Situation situation = situationOf(experiment, sample);
   for (const SceneObject& object : situation.scene.objects) {
-    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) files.push_back(mesh->file);
+    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
+      const auto of_mesh = filesOfMesh(mesh->file);
+      files.insert(files.end(), of_mesh.begin(), of_mesh.end());
+    }
   }
   for (const Material& material : situation.scene.materials) {
     files.insert(files.end(), material.files.begin(), material.files.end());

@@ -13,6 +13,8 @@ void addMaterialsCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
 void addObjectsCommand(CLI::App& program, Session& session);
 void addPredictCommand(CLI::App& program, Session& session);
+void addSceneCommand(CLI::App& program, Session& session);
+void addScenesCommand(CLI::App& program, Session& session);
 void addSensitivityCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
@@ -24,10 +26,10 @@ void addValidityCommand(CLI::App& program, Session& session);
 void addCommands(CLI::App& program, Session& session) {
   using AddCommand = void (*)(CLI::App&, Session&);
   constexpr AddCommand kCommands[] = {
-      addImportCommand,  addCepraCommand,    addSpecCommand,      addAcceptCommand,
-      addMetricCommand,  addValidityCommand, addPredictCommand,   addSimulateCommand,
-      addExplainCommand, addObjectsCommand,  addGapCommand,       addSensitivityCommand,
-      addEffectsCommand, addSensorsCommand,  addMaterialsCommand, addConvertCommand,
+      addImportCommand,   addCepraCommand,       addSpecCommand,     addAcceptCommand,  addMetricCommand,
+      addValidityCommand, addPredictCommand,     addSimulateCommand, addExplainCommand, addObjectsCommand,
+      addGapCommand,      addSensitivityCommand, addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
+      addConvertCommand,  addScenesCommand,      addSceneCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);
