@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "model/scene/mesh.h"
-#include "model/scene/triangles.h"
 #include "model/sensor/layers.h"
 
 namespace model {
