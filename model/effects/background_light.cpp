@@ -2,27 +2,43 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/physics.h"
 #include "model/effects/declarations.h"
+#include "model/effects/shot_noise.h"
 
 namespace model::effects {
 
 namespace {
 
-constexpr double kPlanckTimesLight_J_m = 1.98644586e-25;
 constexpr double kSceneReflectivity = 0.3;  ///< of what the field of view sees on the average
 constexpr double kFilterWidth_nm = 20.0;    ///< optical band pass
+constexpr double kSunRadius_rad = 0.00465;
+constexpr double kAerosolDepth = 0.1;    ///< optical depth of hazy clear air towards the sun
+constexpr double kForwardScatter = 0.7;  ///< asymmetry of its phase function
 
-/// Shot noise of sunlight that the scene reflects into the receiver; it adds to the receiver's noise in quadrature.
+/// Radiance of the air around the sun over the sun's irradiance. [1/sr] Source: Henyey & Greenstein 1941,
+/// doi:10.1086/144246 (phase function), once scattered.
+double aureole(double cos_to_sun) {
+  constexpr double g = kForwardScatter;
+  return kAerosolDepth / (4.0 * std::numbers::pi) * (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cos_to_sun, 1.5);
+}
+
+/// Shot noise of sunlight in the receiver; it adds to the receiver's noise in quadrature (shot_noise.h).
 ///
-///   P_b = E_λ Δλ · ρ/π · A_r Ω η        background power in the field of view Ω
-///   σ²  = σ_0² + 2 (h c/λ) P_b B,   B = 0.44 / FWHM
+///   P_b = E_λ Δλ · ρ/π · A_r Ω η                  what the scene reflects into the field of view Ω, for all beams
+///   P_s = E_λ Δλ · A_r η · (v + a(δ) Ω)           towards the sun, for a beam at the angle δ to it
+///   σ²  = σ_0² + shot noise of P_b + P_s
 ///
-/// Every detected photon counts with its energy; quantum efficiency stands in η. Light from near the sun's own
-/// direction is not told apart, for the noise is one number a sensor. Source: Gagliardi & Karp 1995, Optical
-/// Communications, ch. 2; Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011.
+/// v is the share of the sun's disc in the field of view (taken as a circle of the same area), a(δ) the aureole of
+/// once-scattered light. P_s counts if the sun's direction is given and it stands above the horizon. Whether a surface
+/// stands before the sun is not asked: every beam of such a direction is dazzled.
+/// Source: Gagliardi & Karp 1995, Optical Communications, ch. 2; Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011.
 class BackgroundLight final : public Effect {
  public:
-  explicit BackgroundLight(const EffectParameters& parameters) : irradiance_(parameters.number("irradiance_w_m2_nm")) {}
+  explicit BackgroundLight(const EffectParameters& parameters)
+      : irradiance_(parameters.number("irradiance_w_m2_nm")),
+        sun_azimuth_deg_(parameters.number("sun_azimuth_deg")),
+        sun_elevation_deg_(parameters.number("sun_elevation_deg")) {}
 
   void prepare(ChainSettings& settings, const Environment& environment) override {
     const double irradiance = irradiance_.value_or(environment.background_irradiance_w_m2_nm.value_or(0.0));
@@ -32,28 +48,57 @@ class BackgroundLight final : public Effect {
     const double aperture_m2 = std::numbers::pi / 4.0 * receiver.aperture_diameter_m * receiver.aperture_diameter_m;
     const double power_w = irradiance * kFilterWidth_nm * kSceneReflectivity / std::numbers::pi * aperture_m2 *
                            view.horizontal_rad * view.vertical_rad * receiver.efficiency;
-    const double photon_J = kPlanckTimesLight_J_m / (settings.emitter.wavelength_nm * 1e-9);
-    const double bandwidth_hz = 0.44 / (settings.emitter.pulse_fwhm_ns * 1e-9);
-    receiver.noise_w = std::sqrt(receiver.noise_w * receiver.noise_w + 2.0 * photon_J * power_w * bandwidth_hz);
+    receiver.noise_w = std::sqrt(receiver.noise_w * receiver.noise_w + shotNoise_w2(settings.emitter, power_w));
+    const double elevation_deg = sun_elevation_deg_.value_or(0.0);
+    if (elevation_deg <= 0.0) return;
+    sun_ = directionOf({.azimuth_rad = sun_azimuth_deg_.value_or(0.0) * core::kRadPerDeg,
+                        .elevation_rad = elevation_deg * core::kRadPerDeg},
+                       0.0, 0.0);
+    solid_angle_sr_ = view.horizontal_rad * view.vertical_rad;
+    sun_noise_w2_ = shotNoise_w2(settings.emitter, irradiance * kFilterWidth_nm * aperture_m2 * receiver.efficiency);
+  }
+  [[nodiscard]] bool changesReceiver() const override { return sun_noise_w2_ > 0.0; }
+  void receive(const Beam& beam, Receiver& receiver) const override {
+    const Vector3 d = directionOf(beam, 0.0, 0.0);
+    const double cos_to_sun = std::clamp(d[0] * sun_[0] + d[1] * sun_[1] + d[2] * sun_[2], -1.0, 1.0);
+    const double share = discInView(std::acos(cos_to_sun)) + aureole(cos_to_sun) * solid_angle_sr_;
+    receiver.noise_w = std::sqrt(receiver.noise_w * receiver.noise_w + share * sun_noise_w2_);
   }
 
  private:
+  /// Share of the sun's disc in the field of view; linear where its edge crosses the view's edge.
+  [[nodiscard]] double discInView(double to_sun_rad) const {
+    const double view_radius_rad = std::sqrt(solid_angle_sr_ / std::numbers::pi);
+    const double smaller = std::min(view_radius_rad, kSunRadius_rad);
+    const double most = smaller * smaller / (kSunRadius_rad * kSunRadius_rad);
+    return most * std::clamp((view_radius_rad + kSunRadius_rad - to_sun_rad) / (2.0 * smaller), 0.0, 1.0);
+  }
+
   std::optional<double> irradiance_;
+  std::optional<double> sun_azimuth_deg_;
+  std::optional<double> sun_elevation_deg_;
+  Vector3 sun_{};
+  double solid_angle_sr_ = 0.0;
+  double sun_noise_w2_ = 0.0;  ///< if all of the sun's direct light came in
 };
 
 }  // namespace
 
 EffectEntry backgroundLight() {
-  return {.info = {.name = "background-light",
-                   .title = "Shot noise of background light",
-                   .stage = Stage::kReception,
-                   .percollect = {"86", "90", "91", "99", "101", "143"},
-                   .parameters = {{"irradiance_w_m2_nm", "W/(m² nm)", 0.0, 1.0, std::nullopt,
-                                   "Spectral irradiance of the scene; without it the experiment's environment", false,
-                                   0.5}},
-                   .fitted = {"irradiance_w_m2_nm"},
-                   .source = "Gagliardi & Karp 1995; Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011"},
-          .make = makeFrom<BackgroundLight>};
+  return {
+      .info = {.name = "background-light",
+               .title = "Shot noise of background light",
+               .stage = Stage::kReception,
+               .percollect = {"86", "90", "91", "99", "101", "143"},
+               .parameters = {{"irradiance_w_m2_nm", "W/(m² nm)", 0.0, 1.0, std::nullopt,
+                               "Spectral irradiance of the scene; without it the experiment's environment", false, 0.5},
+                              {"sun_azimuth_deg", "deg", -180.0, 180.0, std::nullopt,
+                               "Where the sun stands, counted to the left from straight ahead", false, 0.0},
+                              {"sun_elevation_deg", "deg", -90.0, 90.0, std::nullopt,
+                               "Its height; without it, or below the horizon, no beam is dazzled", false, 10.0}},
+               .fitted = {"irradiance_w_m2_nm"},
+               .source = "Gagliardi & Karp 1995; Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011"},
+      .make = makeFrom<BackgroundLight>};
 }
 
 }  // namespace model::effects
