@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.h"
+#include "core/detection_files/detection_file.h"
 #include "core/file.h"
 #include "tests/prediction/small_package.h"
 #include "tests/support/thrown_message.h"

@@ -35,7 +35,7 @@ struct Air {
 // where the comb's waveform falls through three levels. The comb itself is good to 1e-6, the crossings to microns.
 TEST(AtmosphericBackscatter, WaveformIsTheConvolutionOfLidarEquationAndPulse) {
   std::vector<Pulse> pulses = lab::pulses(fog({{"visibility_m", 50}}));
-  const std::vector<WaveformPart> parts = partsOf(pulses, kWidth_m, 1e-9);
+  const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
   ASSERT_EQ(parts.size(), 1u);
   for (const double level_w : {1e-6, 2e-7, 2e-8}) {
     std::vector<Stretch> stretches;
