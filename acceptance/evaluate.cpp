@@ -138,6 +138,7 @@ void Evaluation::readInputs() {
   result_.seed = task_.seed.value_or(model_.seed);
   measurand_ = experiment_.measurand(task_.test.measurand);
   result_.unit = measurand_.unit;
+  result_.column = measurand_.column;
   gate_ = gateOf(task_, experiment_);
   indices_ = selectedSamples(task_, experiment_);
   for (const std::size_t index : indices_) simulations_ += model::epistemicCorners(experiment_.samples[index]).size();

@@ -40,7 +40,8 @@ struct TestResult {
   std::string model_id;
   std::string model_file;  ///< relative to the project file, as far as that is possible
   std::uint64_t seed = 0;
-  std::string unit;  ///< of the measurand
+  std::string unit;    ///< of the measurand
+  std::string column;  ///< of the measurement
   std::vector<SampleResult> samples;
   std::vector<specs::UsedFile> used;
 

@@ -51,6 +51,7 @@ Json toJson(const TestResult& test, Figures figures) {
   object["seed"] = test.seed;
   object["measurand"] = test.test.measurand;
   object["unit"] = test.unit;
+  object["column"] = test.column;
   object["gate"] = test.test.gate;
   object["metric"] = test.test.metric;
   object["expression"] = test.test.expression;

@@ -17,7 +17,7 @@ enum class Figures { LeftOut, Included };
 /// and of a test:
 ///
 ///   id, title, requirements [id], verdict ("passed" | "failed" | "error" | "skipped"), text (one sentence: why),
-///   experiment {id, title, source, synthetic, path}, model {id, path}, seed, measurand, unit, gate, metric,
+///   experiment {id, title, source, synthetic, path}, model {id, path}, seed, measurand, unit, column, gate, metric,
 ///   expression, samples [{id, verdict, text, parameters {…}, n_real, n_sim [centre, corners …],
 ///             values {name: number, null where undefined},
 ///             relations [{left, order, right, value, limit, margin, holds}], figure (SVG, if included)}],

@@ -161,7 +161,8 @@ core::Detections simulate(const Experiment& experiment, const LidarModel& model,
 }
 
 void simulatePackage(const Experiment& experiment, const LidarModel& model, const std::filesystem::path& folder,
-                     std::optional<std::uint64_t> seed, core::Progress& progress) {
+                     std::optional<std::uint64_t> seed, core::Progress& progress,
+                     const std::function<void(const std::filesystem::path&)>& finish) {
   namespace fs = std::filesystem;
   if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder))) {
     throw core::InputError({.file = folder}, "exists and is not an empty folder.", "Name a new folder for the result.");
@@ -179,6 +180,7 @@ void simulatePackage(const Experiment& experiment, const LidarModel& model, cons
       core::writeDetections(file, simulate(experiment, model, i, {}, seed));
     }
     core::writeJson(part.path() / "experiment.json", json);
+    if (finish) finish(part.path());
     fs::permissions(part.path(),
                     fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec,
                     fs::perm_options::add);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "core/progress.h"
@@ -34,8 +35,9 @@ struct TracedSample {
 
 /// Simulates every sample at its nominal values into a new experiment package: same experiment.json (source says
 /// "synthetic"), same measurement file names. All or nothing: the folder appears when all is written; an existing
-/// non-empty folder is refused.
+/// non-empty folder is refused. `finish` may complete the package, given its folder, before it appears.
 void simulatePackage(const Experiment& experiment, const LidarModel& model, const std::filesystem::path& folder,
-                     std::optional<std::uint64_t> seed, core::Progress& progress);
+                     std::optional<std::uint64_t> seed, core::Progress& progress,
+                     const std::function<void(const std::filesystem::path&)>& finish = {});
 
 }  // namespace model

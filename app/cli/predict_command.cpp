@@ -11,7 +11,7 @@ namespace {
 
 void runPredict(const PredictRequest& request, const Session& session) {
   const Outcome outcome = outcomeOf(request);
-  if (!session.quiet) writeRemarks(outcome, session.messages);
+  if (!session.quiet) writeRemarks(outcome, request, session.messages);
   const auto document = documentOf(outcome, request);
   if (!request.boxes.csv.empty()) core::writeFile(request.boxes.csv, edgesAsCsv(*outcome.boxes));
   if (!request.save.empty()) session.writeJsonTo(request.save, document);
@@ -30,7 +30,7 @@ const char* const kFooter =
     "corrected but widened, if d_plus and d_minus were predicted. The column is the measurand of the errors.\n\n"
     "Examples:\n"
     "  fidelis predict results.csv --over range_m --at range_m=12.4\n"
-    "  fidelis predict results.csv --over range_m,angle_deg --for d_bias --family linear --save prediction.json\n"
+    "  fidelis predict results.csv --over range_m,angle_deg --for d_bias --measurand epw --save prediction.json\n"
     "  fidelis predict --with prediction.json --at range_m=20,angle_deg=30 --json -\n"
     "  fidelis predict report.json --test EchoPulseWidthError_Fog_2 --over range_m --at-file queries.csv\n"
     "  fidelis predict results.csv --over range_m --for d_bias,d_cavm,d_plus,d_minus --save prediction.json\n"
@@ -64,6 +64,9 @@ void addAsking(CLI::App& command, PredictRequest& request) {
   command.add_option("--at", request.at, "Where to predict: range_m=12.4,angle_deg=30; may be repeated")
       ->allow_extra_args(false);
   command.add_option("--at-file", request.at_file, "Where to predict: a CSV file with a column for each parameter");
+  command.add_option("--measurand", request.measurand,
+                     "Whose errors these are, recorded in --save: name or column, range or range_m (default: as the "
+                     "report or the saved prediction says)");
   command.add_option("--held-out", request.held_out, "Check the prediction on the results of this CSV file");
   command.add_option("--save", request.save, "Write the prediction to this JSON file, to be asked again");
   command.add_option("--json", request.json, "Write prediction and answers as JSON (-: standard output)");

@@ -160,13 +160,14 @@ TEST_F(PredictCommand, QueriesMayComeFromAFile) {
 TEST_F(PredictCommand, ReportOfAcceptIsAnotherSource) {
   const std::string report = file("report.json", R"({"format": "fidelis-acceptance", "version": 1, "tests": [
     {"id": "A_1", "samples": []},
-    {"id": "A_2", "samples": [
+    {"id": "A_2", "measurand": "epw", "unit": "m", "column": "epw_m", "samples": [
       {"id": "r10", "parameters": {"range_m": 10}, "values": {"d_bias": 0.1, "d_cavm": 0.2}},
       {"id": "r20", "parameters": {"range_m": 20}, "values": {"d_bias": 0.2, "d_cavm": 0.2}},
       {"id": "r25", "parameters": {"range_m": 25}, "values": {"d_bias": null, "d_cavm": null}},
       {"id": "r30", "parameters": {"range_m": 30}, "values": {"d_bias": 0.3, "d_cavm": 0.2}}]}]})");
   const ProgramRun run = runFidelis({"predict", report, "--test", "A_2", "--over", "range_m", "--json", "-"});
   const json document = documentOf(run);
+  EXPECT_EQ(document.at("measurand"), (json{{"name", "epw"}, {"column", "epw_m"}, {"unit", "m"}}));
   EXPECT_EQ(document.at("predictions").at(0).at("n"), 3);
   EXPECT_EQ(document.at("predictions").at(0).at("family"), "linear");
   EXPECT_NEAR(document.at("predictions").at(0).at("coefficients").at(1).at("value").get<double>(), 0.01, 1e-14);

@@ -19,11 +19,13 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"metrics", {}},
     {"model", {}},
     {"objects", {"model"}},
+    {"prediction", {"metrics", "model"}},
     {"report", {"metrics"}},
     {"specs", {"percollect", "cepra", "report"}},
     {"gap", {"percollect", "cepra", "specs", "model", "metrics", "report"}},
     {"acceptance", {"percollect", "cepra", "specs", "model", "metrics", "report", "gap"}},
-    {"app", {"percollect", "cepra", "specs", "model", "metrics", "objects", "report", "gap", "acceptance"}},
+    {"app",
+     {"percollect", "cepra", "specs", "model", "metrics", "objects", "prediction", "report", "gap", "acceptance"}},
 };
 
 std::vector<std::filesystem::path> sourcesOf(const std::string& folder) {

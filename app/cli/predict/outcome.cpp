@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "app/cli/predict/prediction_json.h"
 #include "core/error.h"
+#include "prediction/prediction_file.h"
 
 namespace app {
 
@@ -78,11 +78,25 @@ void checkOn(Outcome& outcome, std::vector<metrics::ErrorSamples> held_out, cons
   }
 }
 
+/// The measurand as the file records it, else as --measurand says.
+std::optional<prediction::Measurand> agreed(const std::optional<prediction::Measurand>& recorded,
+                                            const PredictRequest& request) {
+  if (request.measurand.empty()) return recorded;
+  const prediction::Measurand named = prediction::measurandNamed(request.measurand);
+  if (recorded && !prediction::compatible(*recorded, named)) {
+    throw core::InputError({.item = "--measurand " + request.measurand},
+                           "contradicts the file, whose errors are of " + toString(*recorded) + ".",
+                           "Leave --measurand out.");
+  }
+  return recorded ? recorded : named;
+}
+
 Outcome learnFromResults(const PredictRequest& request) {
   const ValidationResults results = isJson(request.results)
                                         ? readAcceptanceReport(request.results, request.columns, request.test)
                                         : readResultsTable(request.results, request.columns);
   Outcome outcome{.answers = {}, .queries = {}, .boxes = {}, .left_out = results.left_out};
+  outcome.measurand = agreed(results.measurand, request);
   outcome.setups = countSetups(results.seen.front());
   inFile(request.results, [&] {
     for (const metrics::ErrorSamples& samples : results.seen) outcome.answers.push_back(learn(samples, request));
@@ -93,9 +107,11 @@ Outcome learnFromResults(const PredictRequest& request) {
 
 Outcome askSaved(const PredictRequest& request) {
   Outcome outcome;
-  for (Prediction& prediction : readPredictions(request.with)) {
-    if (request.level) prediction = metrics::atLevel(std::move(prediction), *request.level);
-    outcome.answers.push_back({.prediction = std::move(prediction), .candidates = {}, .held_out = {}});
+  prediction::PredictionFile saved = prediction::readPredictionFile(request.with);
+  outcome.measurand = agreed(saved.measurand, request);
+  for (Prediction& error : saved.predictions) {
+    if (request.level) error = metrics::atLevel(std::move(error), *request.level);
+    outcome.answers.push_back({.prediction = std::move(error), .candidates = {}, .held_out = {}});
   }
   checkOn(outcome, {}, request);
   return outcome;

@@ -32,7 +32,8 @@ struct Outcome {
   std::vector<Query> queries;
   std::optional<PointBoxes> boxes;  ///< at the only query
   std::vector<UnusedSample> left_out;
-  std::size_t setups = 0;  ///< fewer than n: rows share errors; 0: not known
+  std::optional<prediction::Measurand> measurand;  ///< whose errors these are, if that is known
+  std::size_t setups = 0;                          ///< fewer than n: rows share errors; 0: not known
 
   [[nodiscard]] const std::vector<std::string>& parameters() const {
     return answers.front().prediction.regression.parameters;

@@ -5,10 +5,10 @@
 #include <ostream>
 
 #include "app/cli/predict/box_output.h"
-#include "app/cli/predict/prediction_json.h"
 #include "core/file.h"
 #include "core/text.h"
 #include "core/version.h"
+#include "prediction/prediction_file.h"
 
 namespace app {
 
@@ -45,7 +45,7 @@ nlohmann::ordered_json pointJson(const Outcome& outcome, const Query& query) {
 nlohmann::ordered_json queryJson(const Outcome& outcome, const Query& query) {
   nlohmann::ordered_json object = pointJson(outcome, query);
   for (std::size_t t = 0; t < query.errors.size(); ++t) {
-    object["errors"][outcome.answers[t].prediction.target] = toJson(query.errors[t]);
+    object["errors"][outcome.answers[t].prediction.target] = prediction::toJson(query.errors[t]);
   }
   return object;
 }
@@ -139,15 +139,16 @@ nlohmann::ordered_json documentOf(const Outcome& outcome, const PredictRequest& 
   document["source"] = sourceJson(request);
   document["options"] = {{"over", outcome.parameters()}, {"family", request.family}, {"folds", request.folds}};
   if (!request.columns.weight.empty()) document["options"]["weight"] = request.columns.weight;
+  if (outcome.measurand) document["measurand"] = prediction::toJson(*outcome.measurand);
   document["left_out"] = nlohmann::ordered_json::array();
   for (const UnusedSample& sample : outcome.left_out) {
     document["left_out"].push_back({{"where", sample.where}, {"why", sample.why}});
   }
   document["predictions"] = nlohmann::ordered_json::array();
   for (const Answer& answer : outcome.answers) {
-    nlohmann::ordered_json entry = toJson(answer.prediction);
-    if (!answer.candidates.empty()) entry["candidates"] = toJson(answer.candidates);
-    if (answer.held_out) entry["held_out"] = toJson(*answer.held_out, answer.prediction);
+    nlohmann::ordered_json entry = prediction::toJson(answer.prediction);
+    if (!answer.candidates.empty()) entry["candidates"] = prediction::toJson(answer.candidates);
+    if (answer.held_out) entry["held_out"] = prediction::toJson(*answer.held_out, answer.prediction);
     document["predictions"].push_back(std::move(entry));
   }
   document["queries"] = nlohmann::ordered_json::array();
@@ -162,7 +163,11 @@ void writeTable(const Outcome& outcome, const PredictRequest& request, std::ostr
   writeBoxes(outcome, request, out);
 }
 
-void writeRemarks(const Outcome& outcome, std::ostream& messages) {
+void writeRemarks(const Outcome& outcome, const PredictRequest& request, std::ostream& messages) {
+  if (!request.save.empty() && !outcome.measurand) {
+    messages << "fidelis: the saved prediction does not record whose errors it predicts; add --measurand, e.g. "
+                "--measurand range.\n";
+  }
   for (const UnusedSample& sample : outcome.left_out) {
     messages << fmt::format("fidelis: {} is left out: {}.\n", sample.where, sample.why);
   }

@@ -15,6 +15,6 @@ void writeTable(const Outcome& outcome, const PredictRequest& request, std::ostr
 
 /// What a reader should know before believing it: samples left out, rows that are not independent, boxes that
 /// cannot be told.
-void writeRemarks(const Outcome& outcome, std::ostream& messages);
+void writeRemarks(const Outcome& outcome, const PredictRequest& request, std::ostream& messages);
 
 }  // namespace app

@@ -23,7 +23,8 @@ struct PredictRequest {
   std::string results;  ///< to learn from; empty if a saved prediction is asked
   std::string with;     ///< the saved prediction
   ResultColumns columns;
-  std::string test;  ///< of an acceptance report
+  std::string test;       ///< of an acceptance report
+  std::string measurand;  ///< whose errors these are: name or column; empty: as the file says
   std::string family = "auto";
   std::size_t folds = 0;
   std::optional<double> level;  ///< absent: 0.95, or as saved

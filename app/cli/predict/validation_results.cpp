@@ -215,6 +215,10 @@ ValidationResults readAcceptanceReport(const std::filesystem::path& file, const 
   ResultColumns named = columns;
   if (named.targets.empty()) named.targets = {"d_bias", "d_cavm"};
   ValidationResults results{.file = file, .seen = emptySamples(named), .held_out = emptySamples(named), .left_out = {}};
+  if (chosen.has("measurand")) {
+    results.measurand = {
+        .name = chosen.text("measurand"), .column = chosen.textOr("column", ""), .unit = chosen.textOr("unit", "")};
+  }
   eachIn(chosen, "samples", [&](core::JsonObject sample) {
     Row row;
     const bool complete = takeAll(numbersNamed(sample, "parameters", named.parameters), row.point) &&

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "metrics/prediction/error_samples.h"
+#include "prediction/measurand.h"
 
 namespace app {
 
@@ -30,6 +32,7 @@ struct ValidationResults {
   std::vector<metrics::ErrorSamples> seen;      ///< to learn from, one entry a target
   std::vector<metrics::ErrorSamples> held_out;  ///< role `prediction`; the same targets
   std::vector<UnusedSample> left_out;
+  std::optional<prediction::Measurand> measurand;  ///< if the file tells
 
   [[nodiscard]] std::size_t size() const { return seen.front().size(); }
 };

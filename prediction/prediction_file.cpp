@@ -1,10 +1,12 @@
-#include "app/cli/predict/prediction_json.h"
+#include "prediction/prediction_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-namespace app {
+#include "core/text.h"
+
+namespace prediction {
 
 namespace {
 
@@ -144,22 +146,33 @@ Json toJson(const metrics::PredictedError& error) {
           {"largest", number(error.largest())}};
 }
 
-std::vector<Prediction> readPredictions(const std::filesystem::path& file) {
+std::vector<std::string> PredictionFile::targets() const {
+  std::vector<std::string> names;
+  for (const Prediction& prediction : predictions) names.push_back(prediction.target);
+  return names;
+}
+
+std::string PredictionFile::title() const {
+  return core::join(targets()) + (measurand ? " of " + toString(*measurand) : "") + " over " + core::join(parameters());
+}
+
+PredictionFile readPredictionFile(const std::filesystem::path& file) {
   const nlohmann::json document = core::readJson(file);
   core::JsonObject object(document, file);
   object.expectFormat("fidelis-predict", 1);
-  std::vector<Prediction> predictions;
-  object.eachObject("predictions", [&](core::JsonObject& entry) { predictions.push_back(readPrediction(entry)); });
+  PredictionFile read{.file = file, .measurand = {}, .predictions = {}};
+  if (object.has("measurand")) read.measurand = readMeasurand(object.object("measurand"));
+  object.eachObject("predictions", [&](core::JsonObject& entry) { read.predictions.push_back(readPrediction(entry)); });
   for (const char* key : {"fidelis_version", "source", "options", "left_out", "queries", "boxes"})
     (void)object.has(key);
   object.finish();
-  if (predictions.empty()) object.fail("predictions", "is empty.", "Save the prediction again.");
-  for (const Prediction& prediction : predictions) {
-    if (prediction.regression.parameters != predictions.front().regression.parameters) {
+  if (read.predictions.empty()) object.fail("predictions", "is empty.", "Save the prediction again.");
+  for (const Prediction& prediction : read.predictions) {
+    if (prediction.regression.parameters != read.parameters()) {
       object.fail("predictions", "are over different parameters.", "Save them in files of their own.");
     }
   }
-  return predictions;
+  return read;
 }
 
-}  // namespace app
+}  // namespace prediction
