@@ -13,6 +13,7 @@ find_package(Boost REQUIRED)
 find_package(hwy REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(assimp REQUIRED)
+find_package(Protobuf REQUIRED)
 find_package(nanoflann REQUIRED)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(clp REQUIRED IMPORTED_TARGET clp)  # EPL, linked and not changed

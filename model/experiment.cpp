@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "model/scene/triangles.h"
+#include "model/scene/mesh.h"
 
 namespace model {
 
@@ -325,7 +325,10 @@ std::vector<std::filesystem::path> filesOf(const Experiment& experiment, const S
   if (!sample.beams.empty()) files.push_back(sample.beams);
   const Situation situation = situationOf(experiment, sample);
   for (const SceneObject& object : situation.scene.objects) {
-    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) files.push_back(mesh->file);
+    if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
+      const auto of_mesh = filesOfMesh(mesh->file);
+      files.insert(files.end(), of_mesh.begin(), of_mesh.end());
+    }
   }
   for (const Material& material : situation.scene.materials) {
     files.insert(files.end(), material.files.begin(), material.files.end());

@@ -12,6 +12,8 @@ void addMaterialsCommand(CLI::App& program, Session& session);
 void addMetricCommand(CLI::App& program, Session& session);
 void addObjectsCommand(CLI::App& program, Session& session);
 void addPredictCommand(CLI::App& program, Session& session);
+void addSceneCommand(CLI::App& program, Session& session);
+void addScenesCommand(CLI::App& program, Session& session);
 void addSensitivityCommand(CLI::App& program, Session& session);
 void addSensorsCommand(CLI::App& program, Session& session);
 void addSimulateCommand(CLI::App& program, Session& session);
@@ -26,6 +28,7 @@ void addCommands(CLI::App& program, Session& session) {
       addImportCommand,   addCepraCommand,       addSpecCommand,     addAcceptCommand,  addMetricCommand,
       addValidityCommand, addPredictCommand,     addSimulateCommand, addExplainCommand, addObjectsCommand,
       addGapCommand,      addSensitivityCommand, addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
+      addScenesCommand,   addSceneCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -30,4 +30,41 @@ Vector3 Pose::toLocal(const Vector3& world) const {
   return local;
 }
 
+namespace {
+
+using Rotation = std::array<Vector3, 3>;
+
+/// Angles of a rotation Rz·Ry·Rx; where the nose points straight up or down, only yaw and roll together count.
+Pose poseOf(const Vector3& position_m, const Rotation& r) {
+  const double cos_pitch = std::hypot(r[0][0], r[1][0]);
+  const bool upright = cos_pitch < 1e-12;
+  return {position_m, core::kDegPerRad * (upright ? std::atan2(-r[0][1], r[1][1]) : std::atan2(r[1][0], r[0][0])),
+          core::kDegPerRad * std::atan2(-r[2][0], cos_pitch),
+          upright ? 0.0 : core::kDegPerRad * std::atan2(r[2][1], r[2][2])};
+}
+
+}  // namespace
+
+Pose chained(const Pose& parent, const Pose& child) {
+  const Rotation a = parent.rotation(), b = child.rotation();
+  Rotation product{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+  }
+  return poseOf(parent.toWorld(child.position_m), product);
+}
+
+Pose seenFrom(const Pose& frame, const Pose& pose) {
+  const Rotation a = frame.rotation(), b = pose.rotation();
+  Rotation product{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) product[i][j] = a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j];
+  }
+  return poseOf(frame.toLocal(pose.position_m), product);
+}
+
+Vector3 turnedInto(const Pose& frame, const Vector3& vector) {
+  return Pose{{}, frame.yaw_deg, frame.pitch_deg, frame.roll_deg}.toLocal(vector);
+}
+
 }  // namespace model

@@ -19,4 +19,13 @@ struct Pose {
   [[nodiscard]] Vector3 toLocal(const Vector3& world) const;
 };
 
+/// Where a child stands in the frame in which its parent stands.
+[[nodiscard]] Pose chained(const Pose& parent, const Pose& child);
+
+/// The same pose as it looks from `frame`: chained(frame, seenFrom(frame, pose)) is `pose`.
+[[nodiscard]] Pose seenFrom(const Pose& frame, const Pose& pose);
+
+/// The vector's components along the axes of `frame`.
+[[nodiscard]] Vector3 turnedInto(const Pose& frame, const Vector3& vector);
+
 }  // namespace model

@@ -1,15 +1,10 @@
 #include "model/scene/triangles.h"
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <assimp/mesh.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "model/scene/mesh.h"
 
 namespace model {
 
@@ -52,45 +47,6 @@ Triangles cylinderTriangles(const Cylinder& cylinder) {
   return triangles;
 }
 
-/// assimp 5.2 never returns from a PLY header that does not end.
-void refuseEndlessHeader(const std::filesystem::path& file) {
-  const std::string content = core::readFile(file);
-  if (content.rfind("ply", 0) == 0 && content.find("end_header") == std::string::npos) {
-    throw core::InputError({.file = file}, "the mesh cannot be read: its PLY header has no 'end_header'.",
-                           "The file is cut off; copy or export it again.");
-  }
-}
-
-Triangles meshTriangles(const Mesh& mesh) {
-  if (!std::filesystem::is_regular_file(mesh.file)) {
-    throw core::InputError({.file = mesh.file}, "the mesh file does not exist.",
-                           "Check the name; it is relative to experiment.json.");
-  }
-  refuseEndlessHeader(mesh.file);
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(
-      mesh.file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices);
-  if (!scene || scene->mNumMeshes == 0) {
-    throw core::InputError({.file = mesh.file}, std::string("the mesh cannot be read: ") + importer.GetErrorString(),
-                           "Use OBJ, PLY, STL or glTF with triangles or polygons.");
-  }
-  Triangles triangles;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-    const aiMesh& part = *scene->mMeshes[m];
-    const auto first = static_cast<std::uint32_t>(triangles.vertices.size());
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D& p = part.mVertices[v];
-      triangles.vertices.push_back({p.x * mesh.scale, p.y * mesh.scale, p.z * mesh.scale});
-    }
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices != 3) continue;  // points and lines reflect nothing
-      triangles.faces.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-    }
-  }
-  return triangles;
-}
-
 }  // namespace
 
 Triangles trianglesOf(const Shape& shape) {
@@ -104,7 +60,7 @@ Triangles trianglesOf(const Shape& shape) {
     constexpr double kFar_m = 5000.0;  // beyond every lidar's reach, near enough for single precision
     return quad({-kFar_m, -kFar_m, 0}, {kFar_m, -kFar_m, 0}, {kFar_m, kFar_m, 0}, {-kFar_m, kFar_m, 0});
   }
-  if (const auto* m = std::get_if<Mesh>(&shape)) return meshTriangles(*m);
+  if (const auto* m = std::get_if<Mesh>(&shape)) return readMesh(*m);
   return {};
 }
 

@@ -14,7 +14,8 @@ struct Triangles {
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-/// The surface of a shape; spheres are not triangulated (empty). Meshes are read through assimp.
+/// The surface of a shape; spheres are not triangulated (empty). A mesh is read from its file every time: ask a
+/// MeshLibrary (mesh.h) where the same one may stand in a scene many times.
 [[nodiscard]] Triangles trianglesOf(const Shape& shape);
 
 /// Lowest and highest corner of a shape in its local frame; infinite where a plane has no end. Meshes are read.

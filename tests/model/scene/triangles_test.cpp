@@ -111,24 +111,5 @@ TEST(Triangles, BeamMeetsAMeshAtItsFace) {
   EXPECT_NEAR(pulses[0].power_w / lab::radarEquation(10.0 - depth, 0.5, cosine), 1.0, 1e-5);
 }
 
-TEST(Triangles, MissingOrBrokenMeshIsRefusedWithItsName) {
-  const test_support::TemporaryFolder folder;
-  EXPECT_NE(lab::refusal([&] {
-              (void)trianglesOf(Mesh{folder / "no.obj", 1.0});
-            }).find("no.obj: the mesh file does not exist"),
-            std::string::npos);
-  const std::pair<const char*, std::string> broken[] = {{"header.ply", "ply\nformat ascii 1.0\nelement vert"},
-                                                        {"cut.stl", asBinaryStl().substr(0, 200)},
-                                                        {"empty.obj", ""},
-                                                        {"noise.obj", "\x01\x02\xff\xfe garbage f v 1 2"},
-                                                        {"far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
-                                                        {"cut.gltf", "{\"asset\": {\"version\": \"2.0\""},
-                                                        {"unknown.xyz", "1 2 3"}};
-  for (const auto& [name, content] : broken) {
-    const auto file = folder.write(name, content);
-    EXPECT_NE(lab::refusal([&] { (void)trianglesOf(Mesh{file, 1.0}); }).find("the mesh"), std::string::npos) << name;
-  }
-}
-
 }  // namespace
 }  // namespace model
