@@ -11,7 +11,7 @@ import pathlib
 import random
 
 HERE = pathlib.Path(__file__).parent
-ROUND_SENSOR = "demo-scanner"
+ROUND_SENSOR = "velodyne-vlp-16"
 
 MATERIALS = {"asphalt": 0.15, "bark": 0.3, "black-paint": 0.06, "board": 0.5, "car-paint": 0.4, "car-window": 0.1,
              "clothing": 0.4, "concrete": 0.35, "dark-board": 0.1, "foliage": 0.5, "metal": 0.3, "plaster": 0.6,
