@@ -26,9 +26,10 @@ echo started >> "$0.runs"
 awk -v out="$2" '
   /"frames":/       { gsub(/[^0-9]/, ""); frames = $0 }
   /"measurements":/ { split($0, part, "\""); file = out "/" part[4] }
-  /"value":/        { gsub(/[^-0-9.e]/, ""); value = $0
-                      print "frame,layer,azimuth_rad,elevation_rad,range_m" > file
-                      for (i = 0; i < frames; ++i) print i ",0,0,0," value > file }
+  /"value":/        { sub(/.*:/, ""); gsub(/[ ,]/, ""); value[file] = $0 }
+  END { for (file in value) {
+          print "frame,layer,azimuth_rad,elevation_rad,range_m" > file
+          for (i = 0; i < frames; ++i) print i ",0,0,0," value[file] > file } }
 ' "$1/experiment.json"
 )";
 
