@@ -2,6 +2,7 @@
 // a beam. Build with the release preset; run build/bin/lidar_bench. `rays/s` counts sub-rays, met or not. The limit is
 // a bare Embree loop with packets of sixteen, the coherent flag and ray generation, in this same process.
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdio>
@@ -208,7 +209,10 @@ void wholeChain(benchmark::State& state, const json& effects) {
   std::uint64_t seed = 1;
   std::size_t detections = 0;
   for (auto _ : state) {
-    const auto shots = rig.chain.run(rig.pass, streetScene(), {.seed = seed++, .sample = 0, .frames = 1});
+    const model::RunOptions options{.seed = seed++, .sample = 0, .frames = 1};
+    const auto shots = rig.chain.couplesBeams() ? rig.chain.run(model::traceBeams(tracer(), rig.beams, rig.pass.rays()),
+                                                                streetScene(), options)
+                                                : rig.chain.run(rig.pass, streetScene(), options);
     detections = shots.size();
     benchmark::DoNotOptimize(shots.data());
   }
@@ -228,6 +232,33 @@ BENCHMARK_CAPTURE(bareEmbree, robust, true)->Apply(arguments);
 BENCHMARK(geometryPass)->Apply(arguments);
 BENCHMARK_CAPTURE(wholeChain, everyday, everydayEffects())->Apply(arguments);
 
+/// The everyday chain with one effect more, at the values where a diagnosis would start its fit.
+json withFurther(const model::EffectEntry& entry) {
+  json effects = everydayEffects();
+  json parameters = json::object();
+  for (const model::ParameterInfo& parameter : entry.info.parameters) {
+    const bool fitted =
+        std::find(entry.info.fitted.begin(), entry.info.fitted.end(), parameter.name) != entry.info.fitted.end();
+    if (fitted) parameters[parameter.name] = parameter.typical;
+  }
+  effects[entry.info.name] = parameters;
+  return effects;
+}
+
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  for (const model::EffectEntry& entry : model::allEffects()) {
+    if (everydayEffects().contains(entry.info.name)) continue;
+    benchmark::RegisterBenchmark(("further/" + entry.info.name).c_str(), wholeChain, withFurther(entry))
+        ->Args({3, 1})
+        ->ArgNames({"rays", "threads"})
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

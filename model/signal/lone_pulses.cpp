@@ -105,6 +105,7 @@ void LonePulses::setEcho(std::size_t i, const Echo& echo) {
   range_m_[i] = echo.range_m;
   epw_m_[i] = echo.epw_m;
   peak_w_[i] = echo.peak_w;
+  if (echo.fate != Fate::kDetected) ratio_[i] = 0.0;
 }
 
 void LonePulses::count(const DetectionStage& stage) {

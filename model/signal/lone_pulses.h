@@ -37,6 +37,7 @@ class LonePulses {
   /// Whether the last shot of beam i was above the threshold, and its echo.
   [[nodiscard]] bool detected(std::size_t i) const { return ratio_[i] > 1.0; }
   [[nodiscard]] Echo echo(std::size_t i) const { return {range_m_[i], epw_m_[i], peak_w_[i]}; }
+  /// One that is no longer detected is forgotten.
   void setEcho(std::size_t i, const Echo& echo);
   /// Rounds all echoes as the sensor's counters do.
   void count(const DetectionStage& stage);
