@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr const char* kAwkLidar = R"(#!/bin/sh
 echo started >> "$0.runs"
 awk -v out="$2" '
-  /"frames":/       { gsub(/[^0-9]/, ""); frames = $0 }
+  /"frames":/       { gsub(/[^0-9]/, ""); frames = $0 + 0 }
   /"measurements":/ { split($0, part, "\""); file = out "/" part[4] }
   /"value":/        { sub(/.*:/, ""); gsub(/[ ,]/, ""); value[file] = $0 }
   END { for (file in value) {
@@ -170,9 +170,11 @@ TEST_F(ExternalModelTest, NothingIsLeftInTheTemporaryFolder) {
   const fs::path place = folder_ / "tmp";
   fs::create_directories(place);
   ::setenv("TMPDIR", place.c_str(), 1);
-  (void)simulate(experiment(), awkLidar(), 0);
-  (void)errorOf(command("exit 1"));
+  const std::string worked = lab::refusal([&] { (void)simulate(experiment(), awkLidar(), 0); });
+  const std::string failed = errorOf(command("exit 1"));
   ::unsetenv("TMPDIR");
+  EXPECT_EQ(worked, "");
+  EXPECT_NE(failed, "");
   EXPECT_TRUE(fs::is_empty(place));
 }
 
