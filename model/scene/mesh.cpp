@@ -8,11 +8,10 @@
 #include <assimp/scene.h>
 #include <cmath>
 #include <new>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/json_object.h"
 #include "core/text.h"
+#include "model/scene/gltf_file.h"
 #include "model/scene/mesh_file.h"
 
 namespace model {
@@ -112,6 +111,7 @@ const aiScene& imported(Assimp::Importer& importer, const std::filesystem::path&
 
 Triangles readMesh(const Mesh& mesh) {
   checkMeshFile(mesh.file);
+  if (isGltf(mesh.file)) checkGltfIndices(mesh.file);
   try {
     Assimp::Importer importer;
     return Collector(mesh, imported(importer, mesh.file)).collect();
@@ -123,13 +123,9 @@ Triangles readMesh(const Mesh& mesh) {
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> files{file};
-  if (core::lowerCase(file.extension().string()) != ".gltf" || !std::filesystem::is_regular_file(file)) return files;
-  const nlohmann::json gltf = core::readJson(file);
-  if (!gltf.is_object() || !gltf.contains("buffers") || !gltf["buffers"].is_array()) return files;
-  for (const auto& buffer : gltf["buffers"]) {
-    const std::string uri = buffer.is_object() ? buffer.value("uri", "") : "";
-    if (!uri.empty() && uri.rfind("data:", 0) != 0) files.push_back(file.parent_path() / uri);
-  }
+  if (!isGltf(file) || !std::filesystem::is_regular_file(file)) return files;
+  const auto buffers = buffersOfGltf(file);
+  files.insert(files.end(), buffers.begin(), buffers.end());
   return files;
 }
 

@@ -31,7 +31,7 @@ struct TrafficExperiment {
 ///   sensor = host box centre + R_host · (rear axle + mounting)          (osi3::SensorView::mounting_position)
 ///   poses in the sensor's frame, ISO 8855; the host itself is left out: the sensor stands on it
 ///   velocities are those that the sensor sees, v − v_host − ω_host × (p − p_host), so that `motion-scan` distorts
-///   moving objects as they appear from a moving host; standing objects move too, as seen from it
+///   moving objects as they appear from a moving host, with its own ego_speed_m_s left at 0; standing objects move too
 ///
 /// Without a mounting position the sensor stands 0.2 m above the middle of the host's roof. Every message chosen is a
 /// sample; those after the first replace the scene by a patch.

@@ -269,6 +269,23 @@ TEST(Mesh, FacesThatNameNoVertexAreRefused) {
   const std::int32_t far = 4711;
   std::memcpy(bytes.data() + plyHeader("binary_little_endian").size() + 96 + 1, &far, sizeof far);
   EXPECT_NE(refusal(folder.write("far.ply", bytes)).find("the mesh"), std::string::npos);
+  std::string buffer = gltfBuffer();
+  const std::uint16_t short_far = 4711;
+  std::memcpy(buffer.data() + 96, &short_far, sizeof short_far);
+  const std::string message = "the mesh has a face that names vertex 4711, of 8.";
+  EXPECT_NE(refusal(folder.write("far.glb", glb(buffer))).find(message), std::string::npos);
+  nlohmann::json beside = gltf(buffer.size());
+  beside["buffers"][0]["uri"] = "far.bin";
+  (void)folder.write("far.bin", buffer);
+  EXPECT_NE(refusal(folder.write("beside.gltf", beside.dump())).find(message), std::string::npos);
+  // Three indices 0, 1, 4711 as bytes 00 00 01 00 67 12, in base64 by hand; no vertices: only their number is asked.
+  const auto inside = nlohmann::json::parse(R"({"asset": {"version": "2.0"},
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "accessors": [{"componentType": 5126, "count": 8, "type": "VEC3"},
+                  {"bufferView": 0, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 6}],
+    "buffers": [{"byteLength": 6, "uri": "data:application/octet-stream;base64,AAABAGcS"}]})");
+  EXPECT_NE(refusal(folder.write("inside.gltf", inside.dump())).find(message), std::string::npos);
 }
 
 TEST(Mesh, PointsAloneAreNoMesh) {
