@@ -117,6 +117,7 @@ void run(const Options& options, Session& session) {
     lists.push_back(std::move(entry));
     tell(session, list, options.reference);
   }
+  session.progress.report(1.0, "done");
   if (!options.out.empty()) writeNew(options.out, files);
   if (options.json.empty()) return;
   session.writeJsonTo(options.json, {{"format", "fidelis-objects"},
