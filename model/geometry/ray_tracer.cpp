@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 #include <limits>
 
+#include "model/scene/mesh.h"
 #include "model/scene/triangles.h"
 
 namespace model {
@@ -183,14 +184,15 @@ struct RayTracer::Embree {
     rtcReleaseGeometry(geometry);
   }
 
-  void add(const SceneObject& object, unsigned id) {
+  void add(const SceneObject& object, unsigned id, MeshLibrary& meshes) {
     const bool faceted = std::holds_alternative<Mesh>(object.shape);
     surfaces.push_back({object.shape, object.pose.position_m, object.velocity_m_s, object.pose.rotation(), faceted});
     all_faceted = all_faceted && faceted;
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       addSphere(object, sphere->radius_m, id);
     } else {
-      addTriangles(object, trianglesOf(object.shape), id);
+      const auto* mesh = std::get_if<Mesh>(&object.shape);
+      addTriangles(object, mesh ? meshes.of(*mesh) : trianglesOf(object.shape), id);
     }
   }
 };
@@ -200,7 +202,8 @@ RayTracer::RayTracer(const Scene& scene, TimeSpan times) : embree_(std::make_uni
   embree_->scene = rtcNewScene(embree_->device);
   embree_->times = times;
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
-  for (unsigned id = 0; id < scene.objects.size(); ++id) embree_->add(scene.objects[id], id);
+  MeshLibrary meshes;                                       // a file that many objects share is read once
+  for (unsigned id = 0; id < scene.objects.size(); ++id) embree_->add(scene.objects[id], id, meshes);
   rtcCommitScene(embree_->scene);
 }
 

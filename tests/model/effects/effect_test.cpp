@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "core/file.h"
 #include "tests/model/effects/effect_bench.h"
+#include "tests/support/paths.h"
 #include "tests/support/program.h"
 
 namespace model {
@@ -145,6 +147,24 @@ TEST(Sensors, AreListedByTheProgram) {
   ASSERT_EQ(run.status, 0) << run.messages;
   EXPECT_NE(run.out.find("\"ibeo-lux-2010\""), std::string::npos);
   EXPECT_NE(run.out.find("\"beams_per_frame\": 790"), std::string::npos);
+}
+
+// scripts/effect-pages writes them there.
+TEST(Effects, HaveASectionEachInTheDocs) {
+  const std::string page = core::readFile(test_support::sourceFolder() / "docs/effects.md");
+  for (const EffectEntry& entry : allEffects()) {
+    const std::size_t begin = page.find("## " + entry.info.name + "\n");
+    ASSERT_NE(begin, std::string::npos) << entry.info.name;
+    const std::string section = page.substr(begin, page.find("\n## ", begin) - begin);
+    EXPECT_NE(section.find(entry.info.title), std::string::npos) << entry.info.name;
+    EXPECT_NE(section.find(entry.info.source), std::string::npos) << entry.info.name;
+    for (const ParameterInfo& parameter : entry.info.parameters) {
+      EXPECT_NE(section.find("| `" + parameter.name + "` |"), std::string::npos) << parameter.name;
+      EXPECT_NE(section.find(parameter.meaning), std::string::npos) << parameter.name;
+    }
+    for (const ListInfo& list : entry.lists)
+      EXPECT_NE(section.find("`" + list.name + "`"), std::string::npos) << list.name;
+  }
 }
 
 }  // namespace
