@@ -9,6 +9,7 @@
 #include <QStatusBar>
 
 #include "app/desktop/cepra_page.h"
+#include "app/desktop/cloud/cloud_page.h"
 #include "app/desktop/colours.h"
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/graph_page.h"
@@ -58,6 +59,8 @@ void MainWindow::makeTabs() {
   tabs_->addTab(spec_, tr("Specification"));
   results_ = new ResultsPage(document_, [this] { return save(); });
   tabs_->addTab(results_, tr("Results"));
+  cloud_ = new CloudPage(document_);
+  tabs_->addTab(cloud_, tr("Point cloud"));
 }
 
 void MainWindow::connectPages() {

@@ -14,6 +14,7 @@ class QMenu;
 namespace desktop {
 
 class CepraPage;
+class CloudPage;
 class GraphPage;
 class ResultsPage;
 class SpecPage;
@@ -27,7 +28,7 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  enum Tab { Graph, Relevance, Specification, Results, TabCount };
+  enum Tab { Graph, Relevance, Specification, Results, Cloud, TabCount };
 
   /// Shows an error and returns false if the file cannot be opened.
   bool openProject(const std::filesystem::path& file);
@@ -39,6 +40,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] CepraPage& cepraPage() noexcept { return *cepra_; }
   [[nodiscard]] SpecPage& specPage() noexcept { return *spec_; }
   [[nodiscard]] ResultsPage& resultsPage() noexcept { return *results_; }
+  [[nodiscard]] CloudPage& cloudPage() noexcept { return *cloud_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -74,6 +76,7 @@ class MainWindow final : public QMainWindow {
   CepraPage* cepra_;
   SpecPage* spec_;
   ResultsPage* results_;
+  CloudPage* cloud_;
   QLabel* place_;
   QMenu* recent_menu_ = nullptr;
   QList<QAction*> needs_project_;

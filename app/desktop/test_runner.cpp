@@ -1,43 +1,12 @@
 #include "app/desktop/test_runner.h"
 
-#include <QElapsedTimer>
-#include <functional>
-#include <mutex>
-
 #include "acceptance/run.h"
-#include "core/progress.h"
+#include "app/desktop/window_progress.h"
 #include "specs/project_store.h"
 
 namespace desktop {
 
 namespace {
-
-/// Hands reports over to the window's thread, at most twenty a second.
-class WindowProgress final : public core::Progress {
- public:
-  WindowProgress(std::shared_ptr<std::atomic<bool>> stop, std::function<void(double, QString)> tell)
-      : stop_(std::move(stop)), tell_(std::move(tell)) {
-    clock_.start();
-  }
-
-  void report(double fraction, std::string_view doing) override {
-    constexpr qint64 kPause_ms = 50;
-    const std::lock_guard lock(mutex_);
-    if (told_ && clock_.elapsed() < kPause_ms) return;
-    told_ = true;
-    clock_.restart();
-    tell_(fraction, QString::fromUtf8(doing.data(), qsizetype(doing.size())));
-  }
-
-  [[nodiscard]] bool cancelled() const override { return *stop_; }
-
- private:
-  std::shared_ptr<std::atomic<bool>> stop_;
-  std::function<void(double, QString)> tell_;
-  std::mutex mutex_;
-  QElapsedTimer clock_;
-  bool told_ = false;
-};
 
 /// What the thread leaves behind; one of them, or neither if it was cancelled.
 struct Outcome {

@@ -2,6 +2,7 @@
 // does that) or QT_QPA_PLATFORM=offscreen. Pictures of every tab stay in build/screenshots.
 #include <QAbstractItemModelTester>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QHeaderView>
@@ -16,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "app/desktop/cepra_page.h"
+#include "app/desktop/cloud/cloud_page.h"
 #include "app/desktop/colours.h"
 #include "app/desktop/graph_page.h"
 #include "app/desktop/main_window.h"
@@ -24,6 +26,8 @@
 #include "app/desktop/screenshots.h"
 #include "app/desktop/spec_page.h"
 #include "cepra/csv.h"
+#include "core/json_object.h"
+#include "model/simulate.h"
 #include "percollect/read_graph.h"
 #include "specs/import_graph.h"
 #include "specs/lists.h"
@@ -343,6 +347,169 @@ TEST_F(Desktop, TheProjectIsRememberedAmongTheRecentFiles) {
   EXPECT_EQ(desktop::recentFiles(*settings_), QStringList{QString::fromStdString(file().string())});
 }
 
+/// A street before a spinning scanner, 1.8 m above the ground: cars, posts, a wall. The "measurement" is a simulation
+/// in rain; the model that is to be compared knows none.
+class DesktopCloud : public Desktop {
+ protected:
+  void SetUp() override {
+    Desktop::SetUp();
+    const nlohmann::json model = modelWith({{"beam-divergence", nlohmann::json::object()}});
+    nlohmann::json wet = modelWith({{"beam-divergence", nlohmann::json::object()},
+                                    {"atmospheric-attenuation", {{"visibility_m", 60.0}}},
+                                    {"range-offset", {{"offset_m", 0.2}}}});
+    core::writeJson(folder_ / "dry.json", model);
+    std::filesystem::create_directories(folder_ / "truth");
+    core::writeJson(folder_ / "truth/experiment.json", street());
+    core::SilentProgress silent;
+    model::simulatePackage(model::readExperiment(folder_ / "truth"), model::parseModel(wet, "wet.json"),
+                           folder_ / "street", 11, silent);
+    window_->showTab(MainWindow::Cloud);
+  }
+  static nlohmann::json object(const std::string& id, nlohmann::json shape, std::vector<double> position,
+                               double yaw_deg = 0.0) {
+    return {{"id", id},
+            {"shape", std::move(shape)},
+            {"pose", {{"position_m", std::move(position)}, {"yaw_pitch_roll_deg", {yaw_deg, 0, 0}}}},
+            {"material", "grey"}};
+  }
+  static nlohmann::json modelWith(nlohmann::json effects) {
+    return {{"format", "fidelis-model"}, {"version", 1}, {"id", "street-model"},         {"sensor", kSensor},
+            {"rays_per_beam", {1, 1}},   {"seed", 3},    {"effects", std::move(effects)}};
+  }
+  static nlohmann::json street() {
+    const auto car = [](std::vector<double> size) { return nlohmann::json{{"type", "box"}, {"size_m", size}}; };
+    nlohmann::json scene{
+        object("road", {{"type", "plane"}}, {0, 0, -1.8}),      object("car-1", car({4.4, 1.8, 1.4}), {12, 3, -1.1}, 4),
+        object("car-2", car({4.4, 1.8, 1.4}), {19, 3.2, -1.1}), object("van", car({5.5, 2.0, 2.2}), {16, -4, -0.7}, -3),
+        object("wall", car({60, 0.4, 5}), {25, 9, 0.7}),        object("house", car({20, 8, 9}), {24, -14, 2.7})};
+    for (int k = 0; k < 5; ++k) {
+      scene.push_back(object("post-" + std::to_string(k), {{"type", "cylinder"}, {"radius_m", 0.12}, {"height_m", 4.5}},
+                             {8.0 + 6 * k, -6.5, 0.45}));
+    }
+    return {{"format", "fidelis-experiment"},
+            {"version", 1},
+            {"id", "street"},
+            {"source", "synthetic: a test"},
+            {"sensor", kSensor},
+            {"measurands", {{{"name", "range"}, {"column", "range_m"}, {"unit", "m"}, {"resolution", 0.01}}}},
+            {"materials", {{"grey", {{"reflectivity", 0.4}}}}},
+            {"scene", scene},
+            {"samples", {{{"id", "street"}, {"frames", 1}}, {{"id", "again"}, {"frames", 2}}}}};
+  }
+  desktop::CloudPage& page() { return window_->cloudPage(); }
+  desktop::CloudView& view() { return page().view(); }
+  void simulate() {
+    QSignalSpy finished(&page().runner(), &desktop::SimulationRunner::finished);
+    page().simulate();
+    ASSERT_TRUE(page().runner().isRunning());
+    ASSERT_TRUE(finished.wait(120'000));
+  }
+
+  static constexpr const char* kSensor = "velodyne-vlp-16";
+};
+
+TEST_F(DesktopCloud, OffersTheExperimentsOfTheProjectAndOpensOthers) {
+  EXPECT_NE(page().cloud(desktop::CloudSource::Measured), nullptr);  // the first test's
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  const model::Experiment street = model::readExperiment(folder_ / "street");
+  EXPECT_EQ(page().cloud(desktop::CloudSource::Measured)->size(),
+            model::readMeasurements(street, street.samples[0]).size());
+  EXPECT_EQ(view().shownPoints(), page().cloud(desktop::CloudSource::Measured)->size());
+}
+
+TEST_F(DesktopCloud, AModelIsSimulatedInTheBackgroundAndLaidOverTheMeasurement) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  simulate();
+  const auto* simulated = page().cloud(desktop::CloudSource::Simulated);
+  ASSERT_NE(simulated, nullptr);
+  const auto* measured = page().cloud(desktop::CloudSource::Measured);
+  EXPECT_EQ(view().shownPoints(), measured->size() + simulated->size());
+  view().setVisible(desktop::CloudSource::Measured, false);
+  EXPECT_EQ(view().shownPoints(), simulated->size());
+}
+
+TEST_F(DesktopCloud, AClickOnAPointShowsItsValuesAndTheSameBeamOfTheOtherSide) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  simulate();
+  view().setVisible(desktop::CloudSource::Simulated, false);
+  const auto& cloud = *page().cloud(desktop::CloudSource::Measured);
+  const desktop::PickedPoint wanted{desktop::CloudSource::Measured, cloud.size() / 3};
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, view().placeOf(wanted).toPoint());
+  ASSERT_TRUE(view().picked());
+  const std::size_t picked = view().picked()->index;  // it or one before it
+  EXPECT_LT((view().placeOf({desktop::CloudSource::Measured, picked}) - view().placeOf(wanted)).manhattanLength(), 15);
+  const QString text = child<QTextBrowser>("cloudValues")->toPlainText();
+  EXPECT_TRUE(text.contains(QString::number(cloud.detections.range_m[picked], 'f', 3) + " m")) << text.toStdString();
+  EXPECT_TRUE(text.contains("The same beam, simulated"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().waveform().beam().has_value(); }, 60'000));
+  EXPECT_EQ(page().waveform().beam()->beam.layer, cloud.detections.layer[picked]);
+  EXPECT_NEAR(page().waveform().beam()->beam.azimuth_rad, cloud.detections.azimuth_rad[picked], 1e-6);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_FALSE(view().picked());
+  EXPECT_FALSE(page().waveform().isVisible());
+}
+
+TEST_F(DesktopCloud, OneFrameAtATime) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  const auto frames = [this](int sample) {
+    window_->findChild<QComboBox*>("cloudSamples")->setCurrentIndex(sample);
+    return page().cloud(desktop::CloudSource::Measured);
+  };
+  const auto* cloud = frames(1);
+  const auto first = std::count(cloud->detections.frame.begin(), cloud->detections.frame.end(), 0);
+  EXPECT_EQ(view().shownPoints(), cloud->size());
+  window_->findChild<QComboBox*>("cloudFrames")->setCurrentIndex(1);
+  EXPECT_EQ(view().shownPoints(), std::size_t(first));
+}
+
+TEST_F(DesktopCloud, ACancelledSimulationShowsNothing) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  QSignalSpy cancelled(&page().runner(), &desktop::SimulationRunner::cancelled);
+  page().simulate();
+  page().cancel();
+  ASSERT_TRUE(cancelled.wait(120'000));
+  EXPECT_EQ(page().cloud(desktop::CloudSource::Simulated), nullptr);
+}
+
+TEST_F(DesktopCloud, DraggingTurnsAndTheWheelZoomsAndFitComesBack) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  const desktop::PickedPoint point{desktop::CloudSource::Measured, 0};
+  const QPointF before = view().placeOf(point);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(200, 200));
+  QTest::mouseMove(&view(), QPoint(260, 230));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, QPoint(260, 230));
+  QTest::keyClick(&view(), Qt::Key_Plus);
+  EXPECT_GT((view().placeOf(point) - before).manhattanLength(), 5);
+  EXPECT_FALSE(view().picked());  // a drag is no click
+  view().look(desktop::CloudView::Look::Perspective);
+  EXPECT_LT((view().placeOf(point) - before).manhattanLength(), 1);
+}
+
+TEST_F(DesktopCloud, PicturesOfTheStreet) {
+  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  simulate();
+  const std::filesystem::path pictures = std::filesystem::path(FIDELIS_SCREENSHOTS) / "light";
+  std::filesystem::create_directories(pictures);
+  const auto shoot = [&](const std::string& name) {
+    desktop::settle(*window_);
+    EXPECT_TRUE(window_->grab().save(QString::fromStdString((pictures / (name + ".png")).string())));
+  };
+  view().pick(
+      desktop::PickedPoint{desktop::CloudSource::Measured, page().cloud(desktop::CloudSource::Measured)->size() / 2});
+  shoot("point-cloud-overlay");
+  window_->findChild<QComboBox*>("cloudColour")->setCurrentIndex(int(desktop::ColourBy::Range));
+  window_->findChild<QCheckBox*>("cloudSimulated")->setChecked(false);
+  shoot("point-cloud-range");
+  window_->findChild<QCheckBox*>("cloudSimulated")->setChecked(true);
+  window_->findChild<QComboBox*>("cloudColour")->setCurrentIndex(int(desktop::ColourBy::Source));
+  view().look(desktop::CloudView::Look::Top);
+  shoot("point-cloud-top");
+}
+
 // What the words say must be readable on what they stand on: WCAG 2.1 asks for 4.5 : 1.
 TEST(Colours, TextIsReadableInLightAndInDark) {
   using namespace desktop;
@@ -380,7 +547,7 @@ TEST_F(Desktop, PicturesOfEveryTabInLightAndDark) {
   QApplication::setPalette(desktop::darkPalette());
   desktop::renderTabs(*window_, pictures / "dark");
   QApplication::setPalette(desktop::lightPalette());
-  for (const char* name : {"graph", "relevance", "specification", "results"}) {
+  for (const char* name : {"graph", "relevance", "specification", "results", "point-cloud"}) {
     EXPECT_GT(std::filesystem::file_size(pictures / "light" / (std::string(name) + ".png")), 10'000u);
   }
 }
