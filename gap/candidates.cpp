@@ -6,16 +6,20 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "gap/settle.h"
 
 namespace gap {
 
 namespace {
 
 constexpr int kFitFrames = 5;
+constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 6;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPairLeaders = 4;
+constexpr std::size_t kPolished = 5;    // candidates that are fitted with more frames
+constexpr double kNearlyAsGood = 0.25;  // in merit: farther behind no refinement helps
 
 /// Smallest distance of two different measured ranges: the step of a counter shows in its values.
 double smallestRangeStep_m(const Replay& replay) {
@@ -61,6 +65,18 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   return starts;
 }
 
+Split withRefined(Split split) {
+  split.refined = split.fitted;
+  split.refined.most_frames = kRefineFrames;
+  return split;
+}
+
+double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick, const Candidate& candidate) {
+  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+  return yardstick.explained(discrepancyOf(replay, world, split.held_out),
+                             selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
+}
+
 Candidate judged(const Replay& replay, const Split& split, const Yardstick& yardstick, const Hypothesis& hypothesis,
                  const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
   Candidate candidate;
@@ -68,9 +84,7 @@ Candidate judged(const Replay& replay, const Split& split, const Yardstick& yard
   // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
   const Evidence fitted = hypothesis.per_setup ? splitByBeams(replay, split.fitted.seed).fitted : split.fitted;
   candidate.values = fit(replay, hypothesis, fitted, starts, progress);
-  const World world = worldOf(replay, hypothesis, candidate.values);
-  candidate.explained = yardstick.explained(discrepancyOf(replay, world, split.held_out),
-                                            selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
+  candidate.explained = explainedBy(replay, split, yardstick, candidate);
   return candidate;
 }
 
@@ -101,12 +115,12 @@ Split splitOf(const Replay& replay, std::uint64_t seed) {
   for (std::size_t s = 0; s < samples.size(); ++s) {
     (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
   }
-  if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return split;
+  if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return withRefined(split);
   if (samples.size() < 3) return splitByBeams(replay, seed);
   split.held_out.samples.clear();
   split.fitted.samples.clear();
   for (std::size_t s = 0; s < samples.size(); ++s) (s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
-  return split;
+  return withRefined(split);
 }
 
 Split splitByBeams(const Replay& replay, std::uint64_t seed) {
@@ -119,7 +133,7 @@ Split splitByBeams(const Replay& replay, std::uint64_t seed) {
     split.held_out.samples.push_back(s);
   }
   split.weak = true;
-  return split;
+  return withRefined(split);
 }
 
 Yardstick yardstickOf(const Replay& replay, const Split& split) {
@@ -133,7 +147,8 @@ Yardstick yardstickOf(const Replay& replay, const Split& split) {
   for (const double run : runs) yardstick.perfect += run / kNullRuns;
   double squares = 0.0;
   for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
-  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1));
+  const double offsets = static_cast<double>(offsetsFor(replay, world, split.held_out.samples));
+  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1) + offsets / 2.0);
   return yardstick;
 }
 
@@ -149,6 +164,20 @@ std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yard
   });
   sortByMerit(candidates);
   return candidates;
+}
+
+void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
+            const core::Progress& progress) {
+  std::vector<std::size_t> leaders;
+  for (std::size_t i = 0; i < candidates.size() && leaders.size() < kPolished; ++i) {
+    if (candidates[i].merit() >= candidates.front().merit() - kNearlyAsGood) leaders.push_back(i);
+  }
+  core::parallelFor(leaders.size(), 1, [&](std::size_t begin, std::size_t) {
+    Candidate& candidate = candidates[leaders[begin]];
+    candidate.values = refine(replay, candidate.hypothesis, split.refined, candidate.values, progress);
+    candidate.explained = explainedBy(replay, split, yardstick, candidate);
+  });
+  sortByMerit(candidates);
 }
 
 std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,

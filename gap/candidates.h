@@ -12,6 +12,7 @@ namespace gap {
 struct Split {
   Evidence fitted;
   Evidence held_out;
+  Evidence refined;   ///< as fitted, with more frames: for candidates that are nearly right
   bool weak = false;  ///< no whole sample is held out: beams of the same samples judge
 };
 
@@ -51,6 +52,10 @@ struct Yardstick {
 [[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
                                           const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,
                                           core::Progress& progress);
+
+/// Fits the leaders again with more frames, and judges them again; best merit first.
+void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
+            const core::Progress& progress);
 
 /// Joint fits of the best candidates with every other one, started from the single fits.
 [[nodiscard]] std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,

@@ -48,6 +48,9 @@ class CellLayout {
   [[nodiscard]] std::size_t surfaces() const noexcept { return surfaces_; }
   [[nodiscard]] bool pooled() const noexcept { return pooled_; }
 
+  /// Mean range of every surface cell in other geometry; NaN where its object is not met. [m]
+  [[nodiscard]] std::vector<double> rangesIn(const model::BeamHits& hits) const;
+
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<model::Shot>& shots) const;
   /// `beam_of[i]` is the beam of detection i.
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const core::Detections& detections,

@@ -7,6 +7,7 @@
 #include "gap/diagnosis.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
+#include "gap/settle.h"
 #include "gap/wording.h"
 #include "model/external/external_runs.h"
 
@@ -44,10 +45,14 @@ struct WhereResult {
 WhereResult findWhere(const Replay& replay, const World& world, std::uint64_t seed) {
   std::vector<std::vector<CellStatistics>> simulated(replay.samples().size());
   std::vector<int> frames(replay.samples().size());
+  std::vector<Comparison> comparisons;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
-    frames[s] = std::clamp(replay.samples()[s].frames, 3, kWhereFrames);
-    simulated[s] = replay.simulate(world, s, frames[s], seed);
+    const ReplaySample& sample = replay.samples()[s];
+    frames[s] = std::clamp(sample.frames, 3, kWhereFrames);
+    comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
   }
+  settle(replay, world, comparisons, Half::kAll);
+  for (std::size_t s = 0; s < simulated.size(); ++s) simulated[s] = std::move(comparisons[s].simulated);
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);
   result.rows = whereRows(replay, result.tables, simulated);
@@ -154,10 +159,12 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, options.library), where, first);
+  polish(replay, split, yardstick, decision.singles, progress);
   const Candidate& best = decision.singles.front();
   std::vector<Candidate> pairs;
   if (best.explained < kLooksFurther && best.explained > 0.2) {
     pairs = rankPairs(replay, split, yardstick, decision.singles, second);
+    polish(replay, split, yardstick, pairs, progress);
   }
   const bool pair_wins = !pairs.empty() && pairs.front().explained >= kExplains &&
                          1.0 - pairs.front().explained < kPairGain * (1.0 - best.explained) &&
@@ -208,7 +215,7 @@ void fillWinner(const Replay& replay, const Split& split, const Decision& decisi
   diagnosis.shrink = far.shrink;
   progress.report(0.92, "intervals of the parameters");
   const auto intervals =
-      parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.fitted, progress);
+      parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.refined, progress);
   std::size_t used = 0;
   for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
@@ -239,8 +246,9 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   double largest = -1.0;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const int frames = std::min(8, std::max(3, replay.samples()[s].frames));
-    const double difference = discrepancy(replay, s, replay.simulate(a, s, frames, split.fitted.seed), frames,
-                                          replay.simulate(b, s, frames, split.fitted.seed), frames);
+    const auto of_a = replay.simulate(a, s, frames, split.fitted.seed);
+    const double difference =
+        discrepancy(replay, {s, of_a, frames, replay.simulate(b, s, frames, split.fitted.seed), frames});
     if (difference > largest) {
       largest = difference;
       best = s;

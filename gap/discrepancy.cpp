@@ -20,12 +20,6 @@ constexpr std::size_t kGroups = 6;         // groups of like power in which rate
 
 double rho(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
 
-bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
-  if (half == Half::kAll) return true;
-  const bool odd = (sample.beams[cell.beam].column & 1) != 0;
-  return odd == (half == Half::kOdd);
-}
-
 /// Variance that the profile states for one detection: a prior where a cell has few of them.
 double priorVariance(const Replay& replay, const ReplaySample& sample, Channel channel) {
   const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
@@ -49,13 +43,6 @@ double squaredFloor(const Replay& replay, Channel channel, double value) {
   return steps * steps + relative * relative;
 }
 
-double meanTerm(const Replay& replay, const ReplaySample& sample, Channel channel, const CellStatistics& m,
-                const CellStatistics& s) {
-  const double variance = pooledVariance(m, s, channel, priorVariance(replay, sample, channel));
-  const double error = variance / m.count + variance / s.count + squaredFloor(replay, channel, s.mean(channel));
-  return rho((m.mean(channel) - s.mean(channel)) / std::sqrt(error));
-}
-
 double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames) {
   const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
   const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
@@ -64,8 +51,8 @@ double rateTerm(double measured, int measured_frames, double simulated, int simu
 }
 
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
-void addRates(const std::vector<std::size_t>& cells, const std::vector<CellStatistics>& measured, int measured_frames,
-              const std::vector<CellStatistics>& simulated, int simulated_frames, double& result) {
+void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatistics> measured, int measured_frames,
+              std::span<const CellStatistics> simulated, int simulated_frames, double& result) {
   const std::size_t groups = std::min(kGroups, cells.size());
   for (std::size_t g = 0; g < groups; ++g) {
     const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
@@ -85,8 +72,7 @@ void addRates(const std::vector<std::size_t>& cells, const std::vector<CellStati
 
 /// Spread within cells, pooled over groups of cells of like predicted power.
 void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
-               const std::vector<CellStatistics>& measured, const std::vector<CellStatistics>& simulated,
-               double& result) {
+               std::span<const CellStatistics> measured, std::span<const CellStatistics> simulated, double& result) {
   const double prior = priorVariance(replay, sample, channel);
   const std::size_t groups = std::min(kGroups, cells.size());
   for (std::size_t g = 0; g < groups; ++g) {
@@ -111,14 +97,27 @@ void addSpread(const Replay& replay, const ReplaySample& sample, const std::vect
 
 }  // namespace
 
+bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
+  if (half == Half::kAll) return true;
+  const bool odd = (sample.beams[cell.beam].column & 1) != 0;
+  return odd == (half == Half::kOdd);
+}
+
+double comparableError(const Replay& replay, const ReplaySample& sample, Channel channel,
+                       const CellStatistics& measured, const CellStatistics& simulated) {
+  const double variance = pooledVariance(measured, simulated, channel, priorVariance(replay, sample, channel));
+  return std::sqrt(variance / measured.count + variance / simulated.count +
+                   squaredFloor(replay, channel, simulated.mean(channel)));
+}
+
 double meanError(const Replay& replay, Channel channel, const CellStatistics& a, const CellStatistics& b) {
   const double prior = replay.resolution(channel) * replay.resolution(channel) / 12.0;
   const double variance = pooledVariance(a, b, channel, prior);
   return std::sqrt(variance / a.count + variance / b.count + squaredFloor(replay, channel, b.mean(channel)));
 }
 
-double discrepancy(const Replay& replay, std::size_t index, const std::vector<CellStatistics>& measured,
-                   int measured_frames, const std::vector<CellStatistics>& simulated, int simulated_frames, Half half) {
+double discrepancy(const Replay& replay, const Comparison& comparison, Half half) {
+  const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
   double result = 0.0;
@@ -140,7 +139,7 @@ double discrepancy(const Replay& replay, std::size_t index, const std::vector<Ce
       continue;
     }
     for (const Channel channel : replay.channels()) {
-      result += meanTerm(replay, sample, channel, m, s);
+      result += rho((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, channel, m, s));
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {

@@ -7,6 +7,8 @@
 #include <memory>
 #include <nlopt.h>
 
+#include "gap/settle.h"
+
 namespace gap {
 
 namespace {
@@ -16,6 +18,9 @@ constexpr int kBrentBits = 10;    // a thousandth of the bracket
 constexpr std::size_t kCoarseSamples = 4;
 constexpr double kFirstStep = 0.06;  // of the scaled range
 constexpr double kFirstStep_deg = 1.5;
+constexpr double kReach = 0.12;      // of the scaled range, to both sides of the coarse optimum
+constexpr double kFineReach = 0.04;  // of values that are nearly right
+constexpr double kFineStep = 0.02;
 
 /// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
 class Scale {
@@ -93,10 +98,10 @@ class Objective {
   }
   [[nodiscard]] Objective on(const Evidence& evidence) const { return {replay_, hypothesis_, evidence, progress_}; }
   /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
-  [[nodiscard]] std::vector<double> firstSteps() const {
+  [[nodiscard]] std::vector<double> firstSteps(double step) const {
     std::vector<double> steps;
     for (const FreeParameter& p : hypothesis_.parameters) {
-      steps.push_back(p.unit == "deg" ? kFirstStep_deg / (p.high - p.low) : kFirstStep);
+      steps.push_back(p.unit == "deg" ? kFirstStep_deg * step / kFirstStep / (p.high - p.low) : step);
     }
     return steps;
   }
@@ -137,8 +142,7 @@ std::vector<double> coarseSearch(const Objective& objective, const std::vector<s
   return best;
 }
 
-std::vector<double> refineOne(const Objective& objective, double start) {
-  const double reach = 0.12;
+std::vector<double> refineOne(const Objective& objective, double start, double reach) {
   std::uintmax_t most = 24;
   const auto [unit, value] =
       boost::math::tools::brent_find_minima([&](double x) { return objective({x}); }, std::max(0.0, start - reach),
@@ -164,14 +168,14 @@ double onSubplex(unsigned n, const double* x, double*, void* data) {
   }
 }
 
-std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start) {
+std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start, double first_step) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(NLOPT_LN_SBPLX, n), nlopt_destroy);
   SubplexCall call{&objective, nullptr, optimiser.get()};
   nlopt_set_min_objective(optimiser.get(), onSubplex, &call);
   nlopt_set_lower_bounds1(optimiser.get(), 0.0);
   nlopt_set_upper_bounds1(optimiser.get(), 1.0);
-  nlopt_set_initial_step(optimiser.get(), objective.firstSteps().data());
+  nlopt_set_initial_step(optimiser.get(), objective.firstSteps(first_step).data());
   nlopt_set_xtol_abs1(optimiser.get(), 5e-4);
   nlopt_set_ftol_rel(optimiser.get(), 1e-4);
   nlopt_set_maxeval(optimiser.get(), kRefinements);
@@ -213,6 +217,23 @@ int simulatedFrames(const Evidence& evidence, const ReplaySample& sample) {
   return std::min(evidence.most_frames, std::max(3, sample.frames));
 }
 
+std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence) {
+  std::vector<Comparison> comparisons;
+  for (const std::size_t s : evidence.samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const int frames = simulatedFrames(evidence, sample);
+    comparisons.push_back(
+        {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed), frames});
+  }
+  return comparisons;
+}
+
+double total(const Replay& replay, const World& world, std::vector<Comparison>& comparisons, Half half) {
+  double sum = settle(replay, world, comparisons, half);
+  for (const Comparison& comparison : comparisons) sum += discrepancy(replay, comparison, half);
+  return sum;
+}
+
 }  // namespace
 
 World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
@@ -222,25 +243,19 @@ World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vec
 }
 
 double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
-  double total = 0.0;
-  for (const std::size_t s : evidence.samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    const int frames = simulatedFrames(evidence, sample);
-    total += discrepancy(replay, s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed),
-                         frames, evidence.half);
-  }
-  return total;
+  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
+  return total(replay, world, comparisons, evidence.half);
 }
 
 double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence, std::uint64_t seed) {
-  double total = 0.0;
-  for (const std::size_t s : evidence.samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    const int frames = simulatedFrames(evidence, sample);
-    total += discrepancy(replay, s, replay.simulate(world, s, sample.frames, seed), sample.frames,
-                         replay.simulate(world, s, frames, evidence.seed), frames, evidence.half);
+  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
+  std::vector<std::vector<CellStatistics>> measured;
+  for (Comparison& comparison : comparisons) {
+    measured.push_back(replay.simulate(world, comparison.sample, comparison.measured_frames, seed));
+    comparison.measured = measured.back();  // moving a vector of vectors leaves the inner ones where they are
   }
-  return total;
+  const double offsets = static_cast<double>(offsetsFor(replay, world, evidence.samples));
+  return total(replay, world, comparisons, evidence.half) + offsets / 2.0;
 }
 
 std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -253,9 +268,20 @@ std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, cons
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);
   const std::vector<double> coarse = coarseSearch(objective, all);
-  const auto refined = objective.dimensions() == 1 ? refineOne(objective, coarse[0]) : refineSeveral(objective, coarse);
+  const auto refined = objective.dimensions() == 1 ? refineOne(objective, coarse[0], kReach)
+                                                   : refineSeveral(objective, coarse, kFirstStep);
   // A rugged objective may lead the refinement astray.
   return objective.valuesAt(objective(refined) < objective(coarse) ? refined : coarse);
+}
+
+std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                           const std::vector<double>& values, const core::Progress& progress) {
+  if (hypothesis.per_setup || values.empty()) return values;
+  const Objective objective(replay, hypothesis, evidence, progress);
+  const std::vector<double> start = objective.unitOf(values);
+  const auto refined =
+      start.size() == 1 ? refineOne(objective, start[0], kFineReach) : refineSeveral(objective, start, kFineStep);
+  return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
 }
 
 }  // namespace gap

@@ -19,7 +19,8 @@ struct Evidence {
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
 
-/// Discrepancy of a world to itself under the noise of another seed, as if that had been measured.
+/// Discrepancy of a world to itself under the noise of another seed, as if that had been measured;
+/// with the mean price of reference offsets within their epistemic intervals (settle.h).
 [[nodiscard]] double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence,
                                      std::uint64_t seed);
 
@@ -29,7 +30,12 @@ struct Evidence {
 /// Finds the parameter values with the smallest discrepancy: a coarse search over the plausible range (and the starts
 /// given), then a bounded derivative-free refinement (NLopt: Subplex; one parameter: Brent). Parameters per set-up are
 /// fitted one by one. Deterministic. The random numbers are the same for all values and hypotheses.
+/// Fits few frames; `refine` makes the result exact.
 [[nodiscard]] std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                       const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+
+/// Searches the neighbourhood of values that are nearly right, on all frames that the evidence allows.
+[[nodiscard]] std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                         const std::vector<double>& values, const core::Progress& progress);
 
 }  // namespace gap

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <span>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -12,6 +13,7 @@ namespace gap {
 namespace {
 
 constexpr int kResamples = 60;
+constexpr std::size_t kNoiseRefits = 4;
 
 double quantile(std::vector<double> values, double p) {
   std::sort(values.begin(), values.end());
@@ -33,6 +35,14 @@ struct Pairing {
   core::Detections before;
   core::Detections after;
 };
+
+/// Sum of squares of the p-th values about their mean.
+double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
+  double mean = 0.0, squares = 0.0;
+  for (const auto& values : fits) mean += values[p] / static_cast<double>(fits.size());
+  for (const auto& values : fits) squares += (values[p] - mean) * (values[p] - mean);
+  return squares;
+}
 
 double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
 
@@ -101,20 +111,24 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
   const std::vector<std::string> setups = setupsOf(replay, evidence.samples);
   std::vector<Interval> intervals;
   if (setups.size() < 2 || hypothesis.per_setup) return intervals;
-  std::vector<std::vector<double>> refits(setups.size());
-  core::parallelFor(setups.size(), 1, [&](std::size_t k, std::size_t) {
-    Evidence without = evidence;
-    std::erase_if(without.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
-    without.seed += 1 + k;  // other noise each time, or the simulation's own would be missing from the interval
-    refits[k] = fit(replay, hypothesis, without, {values}, progress);
+  // The simulation's own noise is told by refits of everything under other noise, that of the data by a jackknife.
+  std::vector<std::vector<double>> refits(setups.size() + kNoiseRefits);
+  core::parallelFor(refits.size(), 1, [&](std::size_t k, std::size_t) {
+    Evidence own = evidence;
+    if (k < setups.size()) {
+      std::erase_if(own.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
+    } else {
+      own.seed += 1 + k;
+    }
+    refits[k] = refine(replay, hypothesis, own, values, progress);
   });
+  const std::span jackknife = std::span(refits).first(setups.size());
+  const std::span noise = std::span(refits).subspan(setups.size());
   const double n = static_cast<double>(setups.size());
   const double t = boost::math::quantile(boost::math::students_t(n - 1.0), 0.975);
   for (std::size_t p = 0; p < values.size(); ++p) {
-    double mean = 0.0, squares = 0.0;
-    for (const auto& refit : refits) mean += refit[p] / n;
-    for (const auto& refit : refits) squares += (refit[p] - mean) * (refit[p] - mean);
-    const double error = std::sqrt((n - 1.0) / n * squares);
+    const double error = std::sqrt((n - 1.0) / n * squaresAbout(jackknife, p) +
+                                   squaresAbout(noise, p) / static_cast<double>(kNoiseRefits - 1));
     // Nothing is seen of a sector's end between two beams.
     const bool sector_end = hypothesis.parameters[p].name.rfind("azimuth_", 0) == 0;
     const double reach = std::max(t * error, sector_end ? azimuthStep_deg(replay) / 2.0 : 0.0);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gap/discrepancy.h"
+#include "gap/settle.h"
 
 namespace gap {
 
@@ -146,9 +147,16 @@ std::set<std::int32_t> suspects(const Replay& replay) {
   constexpr double kNotable = 0.05;
   std::map<std::int32_t, double> deviation;
   double all = 0.0;
+  std::vector<Comparison> comparisons;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
-    const auto simulated = replay.simulate(replay.baseline(), s, kFrames, 1);
+    comparisons.push_back(
+        {s, sample.statistics, sample.frames, replay.simulate(replay.baseline(), s, kFrames, 1), kFrames});
+  }
+  settle(replay, replay.baseline(), comparisons, Half::kAll);
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const ReplaySample& sample = replay.samples()[s];
+    const auto& simulated = comparisons[s].simulated;
     for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
       const CellStatistics &m = sample.statistics[c], &x = simulated[c];
       double sum = std::abs(m.count / sample.frames - x.count / kFrames) > 0.5 ? 10.0 : 0.0;

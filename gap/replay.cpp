@@ -11,7 +11,7 @@ namespace gap {
 namespace {
 
 constexpr int kFewestRays = 9;            // per direction, whatever the model has
-constexpr int kEdgeFactor = 3;            // denser grid of partly hit beams: right to a tenth of a per cent of power
+constexpr int kEdgeRays = 45;             // denser, sheared grid of partly hit beams: right to 1/45² of the power
 constexpr std::size_t kMostTraces = 400;  // remembered geometries
 
 /// The beams whose sub-rays do not all meet one object.
@@ -61,7 +61,28 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     samples_[s].layout = std::make_unique<CellLayout>(geometry->hits, geometry->situation.scene, chain,
                                                       samples_[s].measured.hasDirections());
     samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
+    for (const model::Epistemic& epistemic : samples_[s].sample->epistemic) {
+      samples_[s].tolerances.push_back(toleranceOf(s, epistemic));
+    }
   }
+}
+
+Tolerance Replay::toleranceOf(std::size_t s, const model::Epistemic& epistemic) const {
+  const CellLayout& layout = *samples_[s].layout;
+  Tolerance tolerance{epistemic.path, epistemic.low, epistemic.high, std::vector<float>(layout.surfaces(), 0.0F)};
+  const double width = epistemic.high - epistemic.low;
+  if (width <= 0.0 || layout.pooled()) return tolerance;
+  const auto rangesAt = [&](double offset) {
+    World moved = baseline_;
+    moved.references.push_back({epistemic.path, offset, {}});
+    return layout.rangesIn(geometryOf(moved, s)->hits);
+  };
+  const std::vector<double> low = rangesAt(epistemic.low), high = rangesAt(epistemic.high);
+  for (std::size_t c = 0; c < low.size(); ++c) {
+    if (std::isfinite(low[c]) && std::isfinite(high[c]))
+      tolerance.range_per_unit[c] = static_cast<float>((high[c] - low[c]) / width);
+  }
+  return tolerance;
 }
 
 Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
@@ -82,9 +103,9 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const auto edges = partlyHit(all);
   std::vector<model::Beam> edge_beams;
   for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
-  const model::BeamHits dense =
-      model::traceWith(chain, scene, std::move(edge_beams),
-                       chain.subRays(kEdgeFactor * horizontal, kEdgeFactor * vertical, model::Grid::kSheared));
+  const model::BeamHits dense = model::traceWith(
+      chain, scene, std::move(edge_beams),
+      chain.subRays(std::max(kEdgeRays, horizontal), std::max(kEdgeRays, vertical), model::Grid::kSheared));
   traced->hits = joined(all, edges, dense, range_bin_m, left_bin_rad);
   return traced;
 }

@@ -12,6 +12,14 @@
 
 namespace gap {
 
+/// A recorded quantity of a sample that is known to within an interval only (`epistemic` of the experiment).
+struct Tolerance {
+  std::string pointer;
+  double low = 0.0;  ///< offset to the recorded value
+  double high = 0.0;
+  std::vector<float> range_per_unit;  ///< of every surface cell: how its range moves with the quantity [m/unit]
+};
+
 /// One sample with its measurement and the cells that pair it with simulations.
 struct ReplaySample {
   std::size_t index = 0;  ///< in the experiment
@@ -20,6 +28,7 @@ struct ReplaySample {
   std::vector<std::uint32_t> beam_of;      ///< of each measured detection
   std::vector<CellStatistics> statistics;  ///< of the measurement
   std::unique_ptr<CellLayout> layout;
+  std::vector<Tolerance> tolerances;
   std::vector<model::Beam> beams;
   int frames = 1;
 };
@@ -49,6 +58,7 @@ class Replay {
   using Geometry = std::shared_ptr<const model::TracedSample>;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
   [[nodiscard]] Geometry trace(const World& world, std::size_t sample) const;
+  [[nodiscard]] Tolerance toleranceOf(std::size_t sample, const model::Epistemic& epistemic) const;
   [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
                                               std::uint64_t seed) const;
 

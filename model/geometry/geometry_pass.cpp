@@ -36,6 +36,8 @@ RayOffsets offsetsOf(const SubRays& rays) {
     offsets.forward.push_back(static_cast<float>(1.0 / length));
     offsets.left.push_back(static_cast<float>(l / length));
     offsets.up.push_back(static_cast<float>(u / length));
+    offsets.left_slope.push_back(l);
+    offsets.up_slope.push_back(u);
   }
   return offsets;
 }
@@ -86,8 +88,8 @@ GeometryPass::GeometryPass(const RayTracer& tracer, std::span<const Beam> beams,
   timed_ = std::any_of(beams.begin(), beams.end(), [](const Beam& beam) { return beam.scene_time_s != 0.0; });
 }
 
-Ray GeometryPass::rayOf(std::size_t beam, std::size_t ray) const {
-  return {origin_m_, directionOf(beams_[beam], rays_.left_rad[ray], rays_.up_rad[ray]), beams_[beam].scene_time_s};
+Ray GeometryPass::rayOf(std::size_t beam, const BeamTurn& turn, std::size_t ray) const {
+  return {origin_m_, turn.directionAt(offsets_.left_slope[ray], offsets_.up_slope[ray]), beams_[beam].scene_time_s};
 }
 
 /// Sub-rays of neighbouring beams fill the packets one after the other; spare lanes at the end repeat the last one.
@@ -190,6 +192,7 @@ void GeometryPass::collectExactly(std::size_t begin, std::size_t end, Tile& tile
   std::size_t at = 0;
   alignas(64) float cosines[kLanes];
   for (std::size_t b = begin; b < end; ++b) {
+    const BeamTurn turn(beams_[b]);
     for (std::size_t r = 0; r < rays_.size(); ++r, ++at) {
       const RayPacket& packet = tile.packets[at / kLanes];
       const std::size_t lane = at % kLanes;
@@ -198,7 +201,7 @@ void GeometryPass::collectExactly(std::size_t begin, std::size_t end, Tile& tile
       if (object < 0) continue;
       Hit hit{packet.range_m[lane], cosines[lane], object, static_cast<std::uint32_t>(r)};
       if (!tracer_.isFaceted(object)) {
-        const RayHit exact = tracer_.exactly(rayOf(b, r), packet, lane);
+        const RayHit exact = tracer_.exactly(rayOf(b, turn, r), packet, lane);
         hit.range_m = exact.range_m;
         hit.cos_incidence = static_cast<float>(exact.cos_incidence);
       }
@@ -234,10 +237,11 @@ void GeometryPass::follow(std::size_t begin, std::size_t end, Tile& tile) const 
     }
   };
   for (std::size_t b = begin; b < end; ++b) {
+    const BeamTurn turn(beams_[b]);
     for (const Hit& first : HitsOfBeam(tile.hits, b - begin)) {
       const auto object = static_cast<std::size_t>(first.object);
       if (!second_.through[object] && !second_.mirrored[object]) continue;
-      Open start{rayOf(b, first.ray), 0.0, {}};
+      Open start{rayOf(b, turn, first.ray), 0.0, {}};
       start.path.hit.ray = first.ray;
       RayHit met;
       tracer_.trace(std::span(&start.ray, 1), std::span(&met, 1));

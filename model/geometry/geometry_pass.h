@@ -22,6 +22,7 @@ struct BeamAxes {
 /// Unit directions of sub-rays along the axes of their beam.
 struct RayOffsets {
   std::vector<float> forward, left, up;
+  std::vector<double> left_slope, up_slope;  ///< tangents of the offsets
 };
 
 /// The first pass of the simulation: which sub-ray of which beam meets what. The directions of the beams are worked out
@@ -50,7 +51,7 @@ class GeometryPass {
   void collect(std::size_t begin, std::size_t end, Tile& tile) const;
   void collectExactly(std::size_t begin, std::size_t end, Tile& tile) const;
   void follow(std::size_t begin, std::size_t end, Tile& tile) const;
-  [[nodiscard]] Ray rayOf(std::size_t beam, std::size_t ray) const;
+  [[nodiscard]] Ray rayOf(std::size_t beam, const BeamTurn& turn, std::size_t ray) const;
 
   const RayTracer& tracer_;
   std::span<const Beam> beams_;

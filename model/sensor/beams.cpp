@@ -103,13 +103,22 @@ std::vector<Beam> readBeams(const std::filesystem::path& file) {
   return beams;
 }
 
-Vector3 directionOf(const Beam& beam, double left_rad, double up_rad) {
-  const double ca = std::cos(beam.azimuth_rad), sa = std::sin(beam.azimuth_rad);
-  const double ce = std::cos(beam.elevation_rad), se = std::sin(beam.elevation_rad);
-  const double l = std::tan(left_rad), u = std::tan(up_rad);
+BeamTurn::BeamTurn(const Beam& beam)
+    : cos_azimuth(std::cos(beam.azimuth_rad)),
+      sin_azimuth(std::sin(beam.azimuth_rad)),
+      cos_elevation(std::cos(beam.elevation_rad)),
+      sin_elevation(std::sin(beam.elevation_rad)) {}
+
+Vector3 BeamTurn::directionAt(double left_slope, double up_slope) const {
+  const double ca = cos_azimuth, sa = sin_azimuth, ce = cos_elevation, se = sin_elevation;
+  const double l = left_slope, u = up_slope;
   const Vector3 d = {ce * ca - l * sa - u * se * ca, ce * sa + l * ca - u * se * sa, se + u * ce};
   const double length = std::sqrt(1.0 + l * l + u * u);
   return {d[0] / length, d[1] / length, d[2] / length};
+}
+
+Vector3 directionOf(const Beam& beam, double left_rad, double up_rad) {
+  return BeamTurn(beam).directionAt(std::tan(left_rad), std::tan(up_rad));
 }
 
 std::uint32_t SubRays::add(double left, double up, double share) {

@@ -24,6 +24,15 @@ struct Beam {
 /// Direction of a beam's axis turned by angular offsets to the left and up in the beam's own plane; unit length.
 [[nodiscard]] Vector3 directionOf(const Beam& beam, double left_rad, double up_rad);
 
+/// What `directionOf` needs of a beam, worked out once for many sub-rays.
+struct BeamTurn {
+  explicit BeamTurn(const Beam& beam);
+  /// `directionOf` for tangents of the offsets.
+  [[nodiscard]] Vector3 directionAt(double left_slope, double up_slope) const;
+
+  double cos_azimuth, sin_azimuth, cos_elevation, sin_elevation;
+};
+
 /// The beams of one frame, layer by layer, columns from `azimuth_from_deg` on (formats.md section 2): column k of n in
 /// order of firing is fired at t = k/n · duty / frame_rate, plus the layer's offset; the direction of the scan alone
 /// decides the order. A flash fires all columns at the layer's offset. Along a Lissajous figure (scan.h) every way of

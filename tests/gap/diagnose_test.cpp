@@ -74,6 +74,25 @@ TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
   EXPECT_NEAR(diagnosis.causes.front().setups.at("r19").value, 0.0, 0.005);
 }
 
+TEST(Diagnose, SaysNoneWhereEverySetUpStandsElsewhereWithinItsTolerance) {
+  SmallWorld world;
+  world.knownToWithin(0.03);
+  const auto model = SmallWorld::modelWith({});
+  const std::map<std::string, double> offsets_m = {{"r8", 0.021},   {"r13", -0.018}, {"r19", 0.012},
+                                                   {"r27", -0.024}, {"r36", 0.006},  {"r46", -0.009}};
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(model, 0.4, offsets_m), model);
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kNone);
+}
+
+TEST(Diagnose, NamesAnOffsetCommonToAllSetUpsThoughEachAloneWereWithinItsTolerance) {
+  SmallWorld world;
+  world.knownToWithin(0.03);
+  const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.06}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"range-offset"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters.at(0).value, 0.06, 0.006);
+}
+
 TEST(Diagnose, SaysUnknownWhereTheCauseIsTakenOutOfTheLibrary) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith(

@@ -95,8 +95,19 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
       folder_ / ("measured-" + std::to_string(std::distance(std::filesystem::directory_iterator(folder_.path()),
                                                             std::filesystem::directory_iterator())));
   model::simulatePackage(real, truth, measured, 4711, progress);  // another seed than the model under test
-  core::writeJson(measured / "experiment.json", experimentJson(reflectivity_, {}));  // what was recorded
+  json recorded = experimentJson(reflectivity_, {});
+  for (json& sample : recorded["samples"]) {
+    if (known_to_within_m_ <= 0.0) continue;
+    sample["epistemic"] = {
+        {{"path", "/scene/0/pose/position_m/0"}, {"offset_interval", {-known_to_within_m_, known_to_within_m_}}}};
+  }
+  core::writeJson(measured / "experiment.json", recorded);
   return model::readExperiment(measured);
+}
+
+SmallWorld& SmallWorld::knownToWithin(double half_m) {
+  known_to_within_m_ = half_m;
+  return *this;
 }
 
 }  // namespace test_support

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "gap/cells.h"
+
+namespace gap {
+
+/// Which cells of a sample take part: all, or those of every second beam column (to hold the rest out).
+enum class Half { kAll, kEven, kOdd };
+
+/// Measured and simulated statistics of one sample, to be compared.
+struct Comparison {
+  std::size_t sample = 0;  ///< in the replay
+  std::span<const CellStatistics> measured;
+  int measured_frames = 1;
+  std::vector<CellStatistics> simulated;
+  int simulated_frames = 1;
+};
+
+}  // namespace gap

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "gap/comparison.h"
+#include "gap/replay.h"
+
+namespace gap {
+
+/// Moves the simulated surfaces to where the reference may stand within its epistemic intervals such that they fit the
+/// measurement best; samples of one set-up share their offsets. A random effect: an offset o is taken as normally
+/// distributed with the interval's standard deviation σ (width / √12), cut off at its ends. Quantities that the world
+/// itself moves are left alone. Returns Σ o²/(2σ²), what the offsets cost in the units of `discrepancy`. Ranges,
+/// intensities and echo pulse widths move to first order.
+double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Half half);
+
+/// Number of offsets that `settle` has for these samples: under a right model its price is half of it in the mean, with
+/// half of it as variance (chi-squared).
+[[nodiscard]] std::size_t offsetsFor(const Replay& replay, const World& world, std::span<const std::size_t> samples);
+
+}  // namespace gap
