@@ -1,0 +1,191 @@
+"""Builds cases: searches the strength that has the wanted severity, measures, and writes the case's folder.
+
+  CASES/ID/experiment/   what the tool under test is given, with model.json beside it
+  CASES/ID/case.json     the truth, the severity, the class: nothing of it is shown to the tool
+  CASES/ID/world/        experiment and model as they truly are
+"""
+
+import copy
+import random
+import shutil
+from pathlib import Path
+
+import cases
+import distance
+import packages
+import severity
+import worlds
+
+ATTEMPTS = 8
+TARGETS = [0.5, 1, 1, 2, 2, 4, 8]
+FORMAT = 1
+LEAST_DETECTIONS = 40  # of the baseline in a held-out sample: below it there is no measurement to speak of
+
+
+def case_id(seed, slot, generator):
+    return f"{random.Random(f'id/{seed}/{slot}/{generator}').randrange(10**7):07d}"
+
+
+class Lab:
+    """A draft with its generator: simulates worlds of the held-out samples at a strength."""
+
+    def __init__(self, draft, rng, bin_folder, generator):
+        self.draft, self.rng, self.bin, self.generator = draft, rng, bin_folder, generator
+        self.held = packages.only(draft.experiment, {"prediction"})
+
+    def run(self, experiment, model, after=None, keep=None, generator=None):
+        return worlds.simulate(experiment, model, self.rng.randrange(1, 10**9), self.bin, generator or self.generator, after, keep)
+
+    def severity_of(self, u, draws, lacking=None):
+        """`lacking`: cause that remains in the model (of a pair); None: the baseline."""
+        cause = self.draft.cause(u)
+        world, model = cases.truth_world(self.draft, cause)
+        world = packages.only(world, {"prediction"})
+        real = [self.run(cases.scattered(self.rng, world, self.draft.scatter), model, cause.after) for _ in range(draws)]
+        complete = self.run(world, model, cause.after)
+        if lacking:
+            partial = copy.deepcopy(self.draft.baseline)
+            partial["effects"].update(lacking)
+            without = self.run(self.held, partial)
+        else:
+            without = self.run(self.held, self.draft.baseline)
+        return severity.measure(self.held, real, complete, without)
+
+    def search(self, target):
+        """Strength of about the wanted severity; a few steps of bisection, for severity is noisy and bins are wide."""
+        low, high = 0.0, 1.0
+        u = 0.5
+        for _ in range(5):
+            found = self.severity_of(u, 2)["value"]
+            if 0.75 * target <= found <= 1.6 * target:
+                break
+            low, high = (u, high) if found < target else (low, u)
+            u = (low + high) / 2
+        return u
+
+
+def recalibrate(lab, cause):
+    """Refits one quantity of the baseline so that the mean of one channel agrees on the samples that are not held out."""
+    draft, pointer = lab.draft, lab.draft.hide_by
+    part = packages.only(draft.experiment, {"calibration", "validation"})
+    column = next(m["column"] for m in draft.experiment["measurands"] if m["name"] in ("epw", "intensity"))
+    mean = lambda tables: sum(sum(t[column]) for t in tables.values()) / max(1, sum(len(t[column]) for t in tables.values()))
+    world, model = cases.truth_world(draft, cause)
+    wanted = mean(lab.run(packages.only(world, {"calibration", "validation"}), model))
+    document = draft.experiment if pointer.startswith("/materials") else draft.baseline
+    nominal = packages.get(document, pointer)
+    low, high = 0.05, 1.5 if pointer.startswith("/sensor") else min(1.5, 1 / nominal)
+    for _ in range(8):
+        factor = (low * high) ** 0.5
+        set_value(draft, pointer, nominal * factor)
+        set_value_in(part, pointer, nominal * factor)
+        low, high = (factor, high) if mean(lab.run(part, draft.baseline)) < wanted else (low, factor)
+    lab.held = packages.only(draft.experiment, {"prediction"})
+
+
+def set_value_in(document, pointer, value):
+    if pointer.split("/")[1] in document:
+        packages.put(document, pointer, float(f"{value:.4g}"))
+
+
+def set_value(draft, pointer, value):
+    for document in (draft.experiment, draft.baseline):
+        set_value_in(document, pointer, value)
+
+
+def shift_by_measurand(lab, tables, complete, lacking):
+    """How much of the gap each measurand loses with the cause in the simulation, in steps of its resolution (or per cent)."""
+    totals = {}
+    for sample in lab.held["samples"]:
+        for sign, simulated in ((1, lacking), (-1, complete)):
+            _, parts = distance.sample_gap(lab.held["measurands"], tables[sample["id"]], simulated[sample["id"]], sample["frames"])
+            for name, (a, b) in parts.items():
+                unit = 100 if name == "existence" else 1 / next(m["resolution"] for m in lab.held["measurands"] if m["name"] == name)
+                totals[name] = totals.get(name, 0) + sign * unit * (abs(a) + b) / len(lab.held["samples"])
+    return totals
+
+
+def build(seed, slot, folder, bin_folder, generator="own"):
+    """Writes the case and returns (id, text about it); a case that exists is left alone."""
+    number = case_id(seed, slot, generator)
+    home = Path(folder) / number
+    if (home / "case.json").exists():
+        return number, "is there"
+    why = "no draw could show it"
+    for attempt in range(ATTEMPTS):
+        try:
+            text = try_build(seed, slot, attempt, number, home, bin_folder, generator)
+            if text:
+                return number, text
+            why = "never visible above the set-up noise"
+        except cases.Impossible:
+            continue
+        except worlds.GeneratorFailed as error:
+            why = f"the generator failed: {error}"
+    return None, f"{slot[0]} {slot[1]}: {why}"
+
+
+def try_build(seed, slot, attempt, number, home, bin_folder, generator):
+    class_name, name, _ = slot
+    for again in range(40):  # draws that cannot show the cause cost nothing
+        try:
+            draft = cases.draw(seed, slot, f"{attempt}.{again}")
+            break
+        except cases.Impossible:
+            continue
+    else:
+        raise cases.Impossible(name)
+    rng = random.Random(f"noise/{seed}/{slot}/{attempt}/{generator}")
+    lab = Lab(draft, rng, bin_folder, generator)
+    visible = class_name != "none"
+    u = lab.search(rng.choice(TARGETS)) if visible else 0.0
+    cause = draft.cause(u)
+    world, model = cases.truth_world(draft, cause)  # before the baseline is recalibrated
+    if draft.hide_by:
+        recalibrate(lab, cause)
+    held_world = packages.only(world, {"prediction"})
+    real = [lab.run(cases.scattered(rng, held_world, draft.scatter), model, cause.after) for _ in range(severity.REPLICATES)]
+    complete, lacking = lab.run(held_world, model, cause.after), lab.run(lab.held, draft.baseline)
+    if min(len(table["layer"]) for table in lacking.values()) < LEAST_DETECTIONS:
+        return None
+    s = severity.measure(lab.held, real, complete, lacking)
+    s["bin"] = severity.bin_of(s["value"])
+    if visible and s["bin"] is None:
+        return None
+    if class_name == "pair" and not both_visible(lab, u, cause):
+        return None
+    if home.exists():
+        shutil.rmtree(home)
+    measured_world = cases.scattered(rng, world, draft.scatter)
+    tables = lab.run(measured_world, model, cause.after, keep=home / "experiment")
+    packages.write(home / "experiment" / "experiment.json", draft.experiment)
+    packages.write(home / "model.json", draft.baseline)
+    packages.write(home / "world" / "experiment.json", world)
+    packages.write(home / "world" / "model.json", model)
+    shifts = shift_by_measurand(lab, tables, complete, lacking)
+    largest = max(shifts.values(), default=0)
+    packages.write(home / "case.json", {
+        "format": "fidelis-withheld-case", "version": FORMAT, "id": number, "class": class_name, "name": name, "family": draft.family,
+        "generator": generator, "without": draft.library, "seed": seed, "slot": list(slot), "scatter": draft.scatter,
+        "severity": s, "strength": u,
+        "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where,
+                  "hidden_by": draft.hide_by, "measurands": [n for n, v in shifts.items() if visible and v > 0.3 * largest],
+                  "shifts": shifts, "oracle": oracle(lab, tables, world, model, lacking)},
+        "detections": sum(len(t["layer"]) for t in tables.values())})
+    return f"{class_name} {'+'.join(draft.names) or name} in {draft.family}, severity {s['value']:.2g}"
+
+
+def both_visible(lab, u, cause):
+    return all(severity.bin_of(lab.severity_of(u, 3, {n: p for n, p in cause.effects.items() if n != missing})["value"])
+               for missing in cause.effects)
+
+
+def oracle(lab, tables, world, model, lacking):
+    """Gap of the held-out measurement without and with the true cause, the latter by the built-in model where it knows it."""
+    if any(name.startswith("x-") for name in model["effects"]):
+        return None
+    best = lab.run(packages.only(world, {"prediction"}), model, generator="own")
+    base = lab.run(lab.held, lab.draft.baseline, generator="own")
+    mean = lambda simulated: sum(severity.gaps(lab.held, tables, simulated)) / len(lab.held["samples"])
+    before, after = mean(base), mean(best)
+    return {"before": before, "after": after, "shrink": 1 - after / before if before > 0 else 0.0}

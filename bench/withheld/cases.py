@@ -1,0 +1,306 @@
+"""Draws cases: a scene, a sensor, a baseline model, and the cause that the world has and the model has not.
+
+A slot (class, name, number) and the seed give a case; its id is a meaningless number. Classes:
+
+  effect      one effect of the library withheld
+  pair        two effects withheld
+  parameter   a wrong value in the model under test: of the sensor, a material, or an effect that it has
+  reference   a target stands elsewhere than recorded, everywhere or per set-up
+  none        nothing missing, with and without set-up scatter
+  outside     an effect that no library has (a law put on the data, or x-... of the foreign generator)
+  removed     an effect withheld from the model, and from the library too
+  hidden      an effect withheld, and the baseline recalibrated so that the mean of one channel agrees
+  ambiguous   a design that cannot tell: one range, one channel
+
+`Draft.cause(u)` says what the true world has at strength u (0 barely, 1 strong) beyond the baseline.
+"""
+
+import copy
+import random
+from dataclasses import dataclass, field
+
+import effects
+import outside
+import packages
+import scenes
+import sensors
+
+CLASSES = {"effect": 0.48, "pair": 0.10, "parameter": 0.10, "reference": 0.10, "none": 0.08, "outside": 0.04, "removed": 0.04,
+           "hidden": 0.04, "ambiguous": 0.02}
+PARAMETERS = ["reflectivity", "emitter/peak_power_w", "receiver/threshold_w", "receiver/noise_w", "detection/range_noise_m",
+              "detection/epw_noise_m", "emitter/pulse_fwhm_ns", "visibility_m"]
+REFERENCES = ["everywhere", "per-setup"]
+AMBIGUOUS = ["range-offset", "clock-drift", "reference", "atmospheric-attenuation", "reflectivity"]
+
+
+@dataclass
+class Cause:
+    """What the true world has beyond the recorded experiment and the baseline."""
+    effects: dict = field(default_factory=dict)
+    put: list = field(default_factory=list)      # (pointer, true value), in the experiment, and in the model where it has it
+    offsets: dict = field(default_factory=dict)  # {pointer: {"everywhere": x, "per_setup": {...}}}
+    after: object = None                         # law on the detections
+    parameters: dict = field(default_factory=dict)
+    where: dict = field(default_factory=dict)
+
+
+@dataclass
+class Draft:
+    experiment: dict
+    baseline: dict
+    family: str
+    kind: str
+    names: list
+    cause: object  # strength -> Cause
+    scatter: dict  # {pointer: standard deviation over set-ups}
+    library: list = field(default_factory=list)  # effects left out of the library
+    hide_by: str = ""                            # pointer of what is recalibrated
+
+
+class Impossible(Exception):
+    """This draw cannot show what was asked for; draw again."""
+
+
+def names_of(class_name, laws=tuple(outside.LAWS)):
+    """What a class goes through in turn."""
+    return {"effect": list(effects.LIBRARY), "removed": list(effects.LIBRARY), "pair": ["two"], "parameter": PARAMETERS,
+            "reference": REFERENCES, "none": ["scatter", "quiet"], "outside": list(laws), "hidden": effects.WEAKENING,
+            "ambiguous": AMBIGUOUS}[class_name]
+
+
+def slots(seed, classes=None, names=None, laws=tuple(outside.LAWS)):
+    """Endless, the same from the start for any count: (class, name, number)."""
+    rng = random.Random(f"slots/{seed}/{sorted(classes or [])}/{sorted(names or [])}")
+    chosen = [c for c in CLASSES if not classes or c in classes]
+    decks, numbers = {}, {}
+    while True:
+        class_name = rng.choices(chosen, [CLASSES[c] for c in chosen])[0]
+        allowed = [n for n in names_of(class_name, laws) if not names or n in names or class_name == "pair"]
+        if not allowed:
+            chosen.remove(class_name)
+            if not chosen:
+                raise ValueError("no class has any of these names: " + ", ".join(names))
+            continue
+        deck = decks.setdefault(class_name, [])
+        if not deck:
+            deck.extend(rng.sample(allowed, len(allowed)))
+        name = deck.pop()
+        numbers[class_name, name] = numbers.get((class_name, name), 0) + 1
+        yield class_name, name, numbers[class_name, name]
+
+
+def everyday(rng, scene, profile):
+    """Effects that the baseline has."""
+    present = dict(scene.effects)
+    if rng.random() < 0.9:
+        present["beam-divergence"] = {}
+    if rng.random() < 0.6 and "beam-divergence" in present:
+        present["pulse-broadening"] = {}
+    for name, share, u in (("atmospheric-attenuation", 0.12, 0.35), ("pulse-jitter", 0.1, 0.3), ("detection-loss", 0.06, 0.4),
+                           ("range-walk", 0.08, 0.2), ("speckle", 0.06, 0.3), ("false-alarm", 0.04, 0.2)):
+        if rng.random() < share and effects.possible(name, scene, profile):
+            present[name] = effects.LIBRARY[name][1](rng, context_of(scene, profile))(u)
+    return present
+
+
+def context_of(scene, profile):
+    ranges = [v for parameters, patch in scene.samples for p, v in patch if p.endswith("position_m/0")]
+    return effects.Context(scene, profile, min(ranges), max(ranges))
+
+
+def samples_of(rng, scene, profile, most_frames=30):
+    """Roles by set-up, a third held out, in no order that says anything."""
+    count = len(scene.samples)
+    shared = rng.random() < 0.25
+    setups = [f"setup-{(i // 2) + 1}" if shared and i < count - 4 else f"setup-{i + 1}" for i in range(count)]
+    distinct = sorted(set(setups))
+    held = set(rng.sample(distinct, max(2, round(len(distinct) / 3))))
+    frames = max(5, min(most_frames, round(6000 / sensors.beams(profile) * rng.uniform(0.7, 1.4))))
+    known_m = rng.choice([0.002, 0.005, 0.01])
+    result = []
+    for i, (parameters, patch) in enumerate(scene.samples):
+        sample = {"id": f"s{i + 1:02d}", "role": "prediction" if setups[i] in held else rng.choice(["calibration", "validation"]),
+                  "setup": setups[i], "parameters": parameters,
+                  "patch": [{"op": "replace", "path": p, "value": v} for p, v in patch],
+                  "epistemic": [{"path": scene.references[0], "offset_interval": [-known_m, known_m]}],
+                  "frames": frames, "measurements": f"measurements/s{i + 1:02d}.csv.gz"}
+        result.append(sample)
+    return result, known_m
+
+
+def package(rng, scene, profile):
+    samples, known_m = samples_of(rng, scene, profile)
+    return {"format": "fidelis-experiment", "version": 1, "id": "case", "title": "synthetic case", "source": "synthetic",
+            "sensor": profile, "measurands": sensors.measurands(profile),
+            "environment": {"temperature_degC": 20, "visibility_m": None, "rain_rate_mm_h": None,
+                            "background_irradiance_w_m2_nm": None},
+            "materials": scene.materials, "scene": scene.objects, "samples": samples}, known_m
+
+
+def draw(seed, slot, attempt):
+    """The draft of a slot. Raises Impossible."""
+    class_name, name, number = slot
+    rng = random.Random(f"case/{seed}/{class_name}/{name}/{number}/{attempt}")
+    family = rng.choice(list(scenes.FAMILIES))
+    if class_name == "ambiguous":
+        family = "range-sweep"
+    scene = scenes.FAMILIES[family](rng)
+    profile = sensors.draw(rng, scene)
+    if class_name == "ambiguous":
+        make_ambiguous(rng, scene, profile, name)
+    experiment, known_m = package(rng, scene, profile)
+    present = everyday(rng, scene, profile)
+    baseline = {"format": "fidelis-model", "version": 1, "id": "baseline", "sensor": profile,
+                "rays_per_beam": rng.choice([[5, 7], [5, 11], [7, 7]]), "seed": rng.randint(1, 10**6), "effects": present}
+    scatter = {scene.references[0]: known_m / 2} if rng.random() < 0.75 else {}
+    draft = Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter)
+    MAKERS[class_name](rng, draft, scene, name)
+    return draft
+
+
+def make_ambiguous(rng, scene, profile, name):
+    """One range only, and one channel that could tell."""
+    single = rng.choice(scene.samples)
+    scene.samples = [copy.deepcopy(single) for _ in range(8)]
+    scene.shows.add("ranges")
+    profile["detection"]["output"] = ["range"] if name in ("range-offset", "clock-drift", "reference") else ["range", "epw"]
+
+
+def withhold(rng, draft, scene, name):
+    """The effect as a strength -> (name, parameters), and out of the baseline."""
+    profile = draft.baseline["sensor"]
+    if not effects.possible(name, scene, profile):
+        raise Impossible(name)
+    draft.baseline["effects"].pop(name, None)
+    if name == "pulse-broadening":
+        draft.baseline["effects"]["beam-divergence"] = {}
+    if name == "beam-divergence":
+        draft.baseline["effects"].pop("pulse-broadening", None)
+    return effects.LIBRARY[name][1](rng, context_of(scene, profile))
+
+
+def where_of(name, parameters):
+    if name == "cover-contamination":
+        return {"covariate": "azimuth_deg", "stratum": [parameters["azimuth_from_deg"], parameters["azimuth_to_deg"]]}
+    if name in ("blinding", "spoofing"):
+        half = parameters["width_deg"] / 2
+        return {"covariate": "azimuth_deg", "stratum": [parameters["azimuth_deg"] - half, parameters["azimuth_deg"] + half]}
+    return {}
+
+
+def make_effect(rng, draft, scene, name):
+    recipe = withhold(rng, draft, scene, name)
+    draft.kind, draft.names = "effect", [name]
+    draft.cause = lambda u: Cause(effects={name: recipe(u)}, parameters=recipe(u), where=where_of(name, recipe(u)))
+
+
+def make_pair(rng, draft, scene, name):
+    able = [n for n in effects.LIBRARY if effects.possible(n, scene, draft.baseline["sensor"])]
+    pair = rng.sample([n for n in able if n not in ("beam-divergence", "pulse-broadening")], 2)
+    recipes = {n: withhold(rng, draft, scene, n) for n in pair}
+    draft.kind, draft.names = "effect", sorted(pair)
+    draft.cause = lambda u: Cause(effects={n: r(u) for n, r in recipes.items()}, parameters={n: r(u) for n, r in recipes.items()})
+
+
+def make_removed(rng, draft, scene, name):
+    make_effect(rng, draft, scene, name)
+    inner = draft.cause
+    draft.kind, draft.names, draft.library = "unknown", [], [name]
+    draft.cause = inner
+
+
+def make_hidden(rng, draft, scene, name):
+    profile = draft.baseline["sensor"]
+    if not {"epw", "intensity"} & set(profile["detection"]["output"]):
+        raise Impossible("no channel to recalibrate")
+    make_effect(rng, draft, scene, name)
+    single = len(scene.materials) == 1
+    draft.hide_by = f"/materials/{next(iter(scene.materials))}/reflectivity" if single else "/sensor/emitter/peak_power_w"
+
+
+def make_parameter(rng, draft, scene, name):
+    profile, up = draft.baseline["sensor"], rng.choice([-1, 1])
+    output = profile["detection"]["output"]
+    if name == "reflectivity":
+        material = draft.experiment["scene"][int(scene.references[0].split("/")[2])]["material"]
+        pointer, most = f"/materials/{material}/reflectivity", 3.0
+        up = -1 if scene.materials[material]["reflectivity"] > 0.32 else up
+    elif name == "visibility_m":
+        if "ranges" not in scene.shows:
+            raise Impossible(name)
+        draft.baseline["effects"]["atmospheric-attenuation"] = {"visibility_m": round(rng.uniform(300, 2000))}
+        pointer, most = "/effects/atmospheric-attenuation/visibility_m", 6.0
+    else:
+        if name.endswith("epw_noise_m") and "epw" not in output:
+            raise Impossible(name)
+        pointer, most = "/sensor/" + name, 8.0 if "noise" in name else 2.5
+        if name.endswith("fwhm_ns"):
+            most = 1.5
+        if name == "receiver/noise_w" and up > 0:
+            most = 3.0
+    document = draft.baseline if pointer.startswith(("/effects", "/sensor")) else draft.experiment
+    recorded = packages.get(document, pointer)
+    true = lambda u: effects.digits(recorded * effects.between(1.01, most)(u) ** up)
+    draft.kind, draft.names = "parameter", [pointer]
+    where = {"covariate": "material", "stratum": [pointer.split("/")[2]]} if name == "reflectivity" and len(scene.materials) > 1 else {}
+    draft.cause = lambda u: Cause(put=[(pointer, true(u))], parameters={"value": true(u), "recorded": recorded}, where=where)
+
+
+def make_reference(rng, draft, scene, name):
+    pointer = rng.choice(scene.references)
+    angle = "yaw_pitch_roll" in pointer
+    setups = sorted({packages.setup_of(s) for s in draft.experiment["samples"]})
+    unit = (0.2, 6.0) if angle else (0.015, 0.5)
+    if name == "everywhere":
+        sign = rng.choice([-1, 1])
+        offset = lambda u: {pointer: {"everywhere": sign * effects.between(*unit)(u)}}
+    else:
+        parts = {s: rng.gauss(0, 1) for s in setups}
+        offset = lambda u: {pointer: {"per_setup": {s: effects.digits(effects.between(*unit)(u) * g) for s, g in parts.items()}}}
+    draft.kind, draft.names = "reference", [pointer]
+    draft.cause = lambda u: Cause(offsets=offset(u), parameters=offset(u)[pointer])
+
+
+def make_none(rng, draft, scene, name):
+    draft.scatter = {} if name == "quiet" else {scene.references[0]: draft.experiment["samples"][0]["epistemic"][0]["offset_interval"][1] / 2}
+
+
+def make_outside(rng, draft, scene, name):
+    draft.kind, draft.names = "unknown", []
+    if name.startswith("x-"):
+        draft.cause = lambda u: Cause(effects={name: {}}, parameters={"law": name})
+        return
+    law = outside.LAWS[name](rng)
+    draft.cause = lambda u: Cause(after=lambda table: law(table, u), parameters={"law": name, "strength": round(u, 3)})
+
+
+def make_of_ambiguous(rng, draft, scene, name):
+    if name == "reference":
+        make_reference(rng, draft, scene, "everywhere")
+    elif name == "reflectivity":
+        make_parameter(rng, draft, scene, name)
+    else:
+        make_effect(rng, draft, scene, name)
+
+
+MAKERS = {"effect": make_effect, "pair": make_pair, "parameter": make_parameter, "reference": make_reference, "none": make_none,
+          "outside": make_outside, "removed": make_removed, "hidden": make_hidden, "ambiguous": make_of_ambiguous}
+
+
+def truth_world(draft, cause):
+    """(experiment, model) as they truly are, set-up scatter not included."""
+    experiment, model = copy.deepcopy(draft.experiment), copy.deepcopy(draft.baseline)
+    for pointer, value in cause.put:
+        if pointer.startswith(("/sensor", "/effects")):
+            packages.put(model, pointer, value)
+        if pointer.startswith(("/sensor", "/materials")):
+            packages.put(experiment, pointer, value)
+    model["effects"].update(copy.deepcopy(cause.effects))
+    return packages.displaced(experiment, cause.offsets), model
+
+
+def scattered(rng, experiment, scatter):
+    """The world with each set-up a little off, anew at every call."""
+    setups = sorted({packages.setup_of(s) for s in experiment["samples"]})
+    offsets = {p: {"per_setup": {s: round(rng.gauss(0, sigma), 5) for s in setups}} for p, sigma in scatter.items()}
+    return packages.displaced(experiment, offsets)

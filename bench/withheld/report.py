@@ -1,0 +1,68 @@
+"""Writes what the benchmark found: results.json, a Markdown page, and the pictures."""
+
+import time
+from pathlib import Path
+
+import packages
+import score
+
+
+def shown(result):
+    value = result["value"]
+    if value is None:
+        return "–"
+    if result["interval"] is None:
+        return f"{value:.3g}"
+    return f"{value:.2f} [{result['interval'][0]:.2f}, {result['interval'][1]:.2f}]"
+
+
+def wrong_cases(rows):
+    return [r for r in rows if not r["right"]]
+
+
+def line_of(row):
+    confidence = "–" if row["confidence"] is None else f"{row['confidence']:.2f}"
+    found = "+".join(row["found"]) or row["kind"]
+    return (f"| {row['id']} | {row['class']} | {'+'.join(row['truth'])} | {row['family']} | {row['severity']:.2g} | "
+            f"{row['kind']}: {found} | {confidence} | {'yes' if row['top3'] else 'no'} |")
+
+
+def markdown(rows, trivial, about):
+    lines = ["# Withheld causes: what the diagnosis finds", "",
+             f"{about['date']}, version {about['version']}, {len(rows)} cases ({about['generators']}), command `{about['command']}`.",
+             "Rates with Wilson 95 % intervals. How cases are made and judged: bench/withheld/README.md.", ""]
+    for name in sorted({r["generator"] for r in rows}):
+        part = [r for r in rows if r["generator"] == name]
+        lines += [f"## Cases of the {'built-in model' if name == 'own' else 'second generator'} ({len(part)})", "",
+                  "| what | wanted | found | n |", "|-|-|-|-|"]
+        lines += [f"| {what} | {wanted} | {shown(result)} | {result['n']} |" for what, wanted, result in score.table(part)]
+        lines += [""]
+    lines += ["## Beside it: judges that do not think", "", "One effect withheld, right answer first.", "", "| judge | right |", "|-|-|"]
+    lines += [f"| {name} | {'–' if value is None else f'{value:.2f}'} |" for name, value in trivial]
+    lines += ["", "## Per cause", "", "| class | cause | right first | among three | n |", "|-|-|-|-|-|"]
+    lines += [f"| {c} | {n} | {shown(first)} | {shown(top)} | {first['n']} |" for c, n, first, top in score.per_name(rows)]
+    lines += ["", "## Cases that went wrong", "", "| case | class | truth | scene | s | said | confidence | among three |", "|-|-|-|-|-|-|-|-|"]
+    lines += [line_of(r) for r in sorted(wrong_cases(rows), key=lambda r: (r["class"], r["name"]))]
+    return "\n".join(lines) + "\n"
+
+
+def write(out, rows, trivial, about, pictures=True):
+    """Returns remarks for the person who runs it."""
+    out = Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    about.setdefault("date", time.strftime("%Y-%m-%d"))
+    packages.write(out / "results.json", {
+        "format": "fidelis-withheld-results", "version": 1, **about,
+        "table": {name: [{"what": w, "wanted": t, **r} for w, t, r in score.table([x for x in rows if x["generator"] == name])]
+                  for name in sorted({r["generator"] for r in rows})},
+        "trivial": dict(trivial), "cases": rows})
+    (out / "README.md").write_text(markdown(rows, trivial, about))
+    if not pictures:
+        return []
+    try:
+        import pictures as drawn
+    except ImportError as error:
+        return [f"no pictures: {error.name} is not installed (apt install python3-matplotlib)"]
+    drawn.confusion(rows, out / "confusion.svg")
+    drawn.reliability(rows, out / "reliability.svg")
+    return []

@@ -1,0 +1,115 @@
+"""Runs `fidelis gap` on cases, one result file per case and program, so that a second call runs only what is missing.
+
+The key of a result is a hash of the case's files, the program's bytes and the options. A crash or a time-out is a result, too.
+"""
+
+import hashlib
+import json
+import random
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+import packages
+import severity
+import worlds
+
+KEEP = ("gap", "where", "verdict", "causes", "shrink", "next_experiment", "elapsed_s")
+
+
+def digest(*files):
+    h = hashlib.sha256()
+    for file in files:
+        h.update(Path(file).read_bytes())
+    return h.hexdigest()[:12]
+
+
+def library_names(program):
+    declared = json.loads(subprocess.run([program, "effects", "--json", "-"], capture_output=True, text=True, check=True).stdout)
+    return [e["name"] for e in declared["effects"]]
+
+
+def result_path(home, program_key, variant):
+    files = sorted((home / "experiment").rglob("*.*")) + [home / "model.json", home / "case.json"]
+    files = [f for f in files if f.is_file()]
+    return home / "results" / f"{variant}-{program_key}-{digest(*files)}.json"
+
+
+def diagnose(home, bin_folder, program_key, time_limit_s=600, variant="full"):
+    """The result of a case, run if it is not there. `variant`: full, or oracle (only the true effects in the library)."""
+    home, program = Path(home), str(Path(bin_folder) / "fidelis")
+    case = packages.read(home / "case.json")
+    target = result_path(home, program_key, variant)
+    if target.exists():
+        return packages.read(target)
+    folder = Path(tempfile.mkdtemp(prefix="withheld-run-"))
+    try:
+        library = []
+        if variant == "oracle":
+            library = ["--library", ",".join(case["truth"]["names"])]
+        elif case["without"]:
+            library = ["--library", ",".join(n for n in library_names(program) if n not in case["without"])]
+        command = [program, "--threads", "1", "gap", str(home / "experiment"), "--model", str(home / "model.json"), *library,
+                   "--json", str(folder / "report.json"), "--write-model", str(folder / "better.json")]
+        result = {"id": case["id"], "variant": variant, "program": program_key, "date": time.strftime("%Y-%m-%d")}
+        started = time.monotonic()
+        try:
+            run = subprocess.run(command, capture_output=True, text=True, timeout=time_limit_s)
+            result["exit"] = run.returncode
+            if run.returncode not in (0, 1) or not (folder / "report.json").exists():
+                result.update(status="failed", message=run.stderr.strip()[-400:])
+            else:
+                report = packages.read(folder / "report.json")
+                result.update(status="done", report={k: report[k] for k in KEEP if k in report})
+                result["report"]["where"] = result["report"].get("where", [])[:5]
+                better = packages.read(folder / "better.json") if (folder / "better.json").exists() else None
+                result["actual"] = actual_shrink(home, case, report, better, bin_folder)
+        except subprocess.TimeoutExpired:
+            result.update(status="timeout", message=f"not done after {time_limit_s} s")
+        result["elapsed_s"] = round(time.monotonic() - started, 2)
+        packages.write(target, result)
+        return result
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def believed(experiment, report, better, baseline):
+    """(experiment, model) as the first verdict says that they are."""
+    model = better or baseline
+    offsets, experiment = {}, json.loads(json.dumps(experiment))
+    for name in report["verdict"].get("names", []):
+        cause = next((c for c in report["causes"] if name in (c.get("name"), *c.get("names", []))), None)
+        if not cause or cause["kind"] == "effect":
+            continue
+        values = cause.get("parameters", {})
+        number = next((v["value"] for v in values.values() if isinstance(v, dict) and "value" in v), None)
+        if cause["kind"] == "reference":
+            per_setup = {s: v["value"] for s, v in cause.get("setups", {}).items()}
+            offsets[name] = {"per_setup": per_setup} if per_setup else {"everywhere": number or 0.0}
+        elif name.startswith("/materials") and number is not None:
+            packages.put(experiment, name, number)
+    return packages.displaced(experiment, offsets), model
+
+
+def actual_shrink(home, case, report, better, bin_folder):
+    """What the verdict's cure brings on held-out samples that are measured anew in the true world (new noise, new set-up
+    scatter). None where there is no cure, or where the true world cannot be measured again (laws outside every library)."""
+    if report["verdict"]["kind"] not in ("effect", "parameter", "reference") or "law" in case["truth"]["parameters"]:
+        return None
+    import cases
+    rng = random.Random("fresh/" + case["id"])
+    held = packages.only(packages.read(home / "experiment" / "experiment.json"), {"prediction"})
+    world = packages.only(packages.read(home / "world" / "experiment.json"), {"prediction"})
+    baseline = packages.read(home / "model.json")
+    try:
+        real = worlds.simulate(cases.scattered(rng, world, case["scatter"]), packages.read(home / "world" / "model.json"),
+                               rng.randrange(1, 10**9), bin_folder, case["generator"])
+        seed = rng.randrange(1, 10**9)
+        experiment, model = believed(held, report, better, baseline)
+        gap = lambda e, m: sum(severity.gaps(held, real, worlds.simulate(e, m, seed, bin_folder))) / len(held["samples"])
+        before, after = gap(held, baseline), gap(experiment, model)
+    except (worlds.GeneratorFailed, KeyError, IndexError) as error:
+        return {"error": str(error)[-300:]}
+    return {"before": before, "after": after, "shrink": 1 - after / before if before > 0 else 0.0}

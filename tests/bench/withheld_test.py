@@ -1,0 +1,168 @@
+"""The benchmark of the diagnosis: its statistics, its rules, and one tiny case from beginning to end.
+
+python3 withheld_test.py [unittest options]; FIDELIS_BIN names the folder of the programs (else the end-to-end test is skipped).
+"""
+
+import os
+import random
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "withheld"))
+
+import build
+import cases
+import chance
+import distance
+import effects
+import packages
+import report
+import run
+import scenes
+import score
+import sensors
+import severity
+
+
+class Chance(unittest.TestCase):
+    def test_wilson_interval_of_a_published_example(self):
+        # Newcombe 1998, Stat. Med. 17, 857, table I, method 3 (score): 81/263 and 15/148, 0/20, 1/29.
+        for hits, trials, low, high in ((81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)):
+            found = chance.wilson(hits, trials)
+            self.assertAlmostEqual(found[0], low, 4)
+            self.assertAlmostEqual(found[1], high, 4)
+
+    def test_without_trials_anything_is_possible(self):
+        self.assertEqual(chance.wilson(0, 0), (0.0, 1.0))
+
+    def test_calibration_error_by_hand(self):
+        # Bin 0.9…1: mean confidence 0.95, 1 of 2 right; bin 0.2…0.3: 0.25, 0 of 2. (2·0.45 + 2·0.25)/4 = 0.35.
+        self.assertAlmostEqual(chance.expected_calibration_error([0.92, 0.98, 0.25, 0.25], [True, False, False, False]), 0.35)
+
+    def test_full_confidence_that_is_always_right_is_calibrated(self):
+        self.assertEqual(chance.expected_calibration_error([1.0] * 5, [True] * 5), 0.0)
+
+
+class Distance(unittest.TestCase):
+    def test_pure_offset_is_all_bias(self):
+        bias, scatter = distance.double_validation([1.0, 2.0, 3.0], [1.5, 2.5, 3.5])
+        self.assertAlmostEqual(bias, 0.5)
+        self.assertAlmostEqual(scatter, 0.0)
+
+    def test_same_mean_is_all_scatter(self):
+        # EDFs of {0} and {-1, 1}: apart by one half over a length of two.
+        bias, scatter = distance.double_validation([0.0], [-1.0, 1.0])
+        self.assertAlmostEqual(bias, 0.0)
+        self.assertAlmostEqual(scatter, 1.0)
+
+    def test_half_of_the_echoes_missing(self):
+        full = {"layer": [0, 0], "azimuth_rad": [0.01, 0.5]}
+        self.assertEqual(distance.existence({"layer": [0], "azimuth_rad": [0.01]}, full, 1), (0.5, 0.0))
+
+
+class Worlds(unittest.TestCase):
+    def test_an_offset_holds_in_its_setup_only(self):
+        experiment = {"scene": [{"x": 1.0}], "samples": [
+            {"id": "a", "patch": [{"op": "replace", "path": "/scene/0/x", "value": 5.0}]}, {"id": "b", "setup": "s", "patch": []}]}
+        world = cases.packages.displaced(experiment, {"/scene/0/x": {"everywhere": 0.5, "per_setup": {"s": 0.25}}})
+        self.assertEqual([packages.value_in(world, s, "/scene/0/x") for s in world["samples"]], [5.5, 1.75])
+        self.assertEqual(experiment["samples"][1]["patch"], [])
+
+    def test_slots_do_not_depend_on_how_many_are_taken(self):
+        import itertools
+        self.assertEqual(list(itertools.islice(cases.slots(3), 5)), list(itertools.islice(cases.slots(3), 50))[:5])
+
+    def test_every_effect_of_the_list_can_be_drawn_somewhere(self):
+        rng = random.Random(1)
+        drawn = set()
+        for _ in range(40):
+            for family in scenes.FAMILIES.values():
+                scene = family(rng)
+                profile = sensors.draw(rng, scene)
+                for name in effects.LIBRARY:
+                    if effects.possible(name, scene, profile):
+                        drawn.add(name)
+                        recipe = effects.LIBRARY[name][1](rng, cases.context_of(scene, profile))
+                        self.assertIsInstance(recipe(0.0), dict)
+                        self.assertIsInstance(recipe(1.0), dict)
+        self.assertEqual(drawn, set(effects.LIBRARY))
+
+    def test_severity_bins(self):
+        self.assertEqual([severity.bin_of(s) for s in (0.1, 0.5, 1.0, 2.0, 4.0, 99.0)], [None, 0.5, 1, 2, 4, 4])
+
+
+def verdict(kind, names, confidence=0.9, same=()):
+    return {"kind": kind, "names": list(names), "confidence": confidence, "indistinguishable_from": list(same)}
+
+
+def truth(kind, *names):
+    return {"kind": kind, "names": list(names), "parameters": {}, "where": {}, "measurands": []}
+
+
+class Rules(unittest.TestCase):
+    def test_the_effect_itself_is_right(self):
+        self.assertTrue(score.named_first(truth("effect", "speckle"), verdict("effect", ["speckle"])))
+
+    def test_a_set_of_two_counts_and_a_set_of_three_does_not(self):
+        self.assertTrue(score.named_first(truth("effect", "a"), verdict("effect", ["b"], same=["a"])))
+        self.assertFalse(score.named_first(truth("effect", "a"), verdict("effect", ["b"], same=["a", "c"])))
+
+    def test_an_effect_is_no_answer_to_a_wrong_reference(self):
+        self.assertFalse(score.named_first(truth("reference", "/scene/0/pose/position_m/0"), verdict("effect", ["range-offset"])))
+
+    def test_half_of_a_pair_is_not_the_pair(self):
+        self.assertFalse(score.named_first(truth("effect", "a", "b"), verdict("effect", ["a"], same=["b"])))
+        self.assertTrue(score.named_first(truth("effect", "a", "b"), verdict("effect", ["b", "a"])))
+
+    def test_none_and_unknown_are_kinds(self):
+        self.assertTrue(score.named_first(truth("none"), verdict("none", [])))
+        self.assertFalse(score.named_first(truth("unknown"), verdict("none", [])))
+
+    def test_a_crash_counts_as_wrong_and_is_counted(self):
+        case = {"id": "1", "class": "effect", "name": "speckle", "family": "street", "generator": "own", "severity": {"value": 3, "bin": 4},
+                "truth": truth("effect", "speckle")}
+        row = score.judge(case, {"status": "failed", "elapsed_s": 1.0})
+        rows = dict((what, result) for what, _, result in score.table([row]))
+        self.assertEqual((rows["right cause first, s >= 2"]["value"], rows["right cause first, s >= 2"]["n"]), (0.0, 1))
+        self.assertEqual(rows["without a verdict (crash, time-out)"]["value"], 1.0)
+
+    def test_strata_overlap(self):
+        self.assertAlmostEqual(score.overlap([0, 2], [1, 3]), 1 / 3)
+        self.assertEqual(score.overlap(["wall"], ["wall"]), 1.0)
+
+    def test_the_report_names_what_went_wrong(self):
+        case = {"id": "0042", "class": "none", "name": "quiet", "family": "street", "generator": "own", "severity": {"value": 0, "bin": None},
+                "truth": truth("none")}
+        row = score.judge(case, {"status": "done", "elapsed_s": 1.0, "report": {"verdict": verdict("effect", ["speckle"]), "causes": []}})
+        page = report.markdown([row], [("random", 0.02)], {"date": "d", "version": "v", "command": "c", "generators": "1 own"})
+        self.assertIn("| 0042 | none | none |", page)
+        self.assertIn("effect: speckle", page)
+
+
+class EndToEnd(unittest.TestCase):
+    def test_a_tiny_case_is_built_run_and_scored(self):
+        if "FIDELIS_BIN" not in os.environ:
+            self.skipTest("FIDELIS_BIN does not name the folder of the programs")
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(sensors, "log_uniform", lambda rng, low, high: low), \
+                mock.patch.object(scenes, "FAMILIES", {"range-sweep": scenes.range_sweep}), mock.patch.object(cases.samples_of, "__defaults__", (5,)):
+            slot = ("effect", "range-offset", 1)
+            number, text = build.build(7, slot, folder, os.environ["FIDELIS_BIN"])
+            self.assertIsNotNone(number, text)
+            home = Path(folder) / number
+            case = packages.read(home / "case.json")
+            self.assertNotIn("range-offset", packages.read(home / "model.json")["effects"])
+            self.assertNotIn("range-offset", (home / "experiment" / "experiment.json").read_text())
+            result = run.diagnose(home, os.environ["FIDELIS_BIN"], "key", 300)
+            self.assertEqual(result["status"], "done", result.get("message"))
+            self.assertEqual(run.diagnose(home, "/nowhere", "key", 1), result)  # the second call reads
+            row = score.judge(case, result)
+            self.assertEqual(row["truth"], ["range-offset"])
+            self.assertIn(row["kind"], ("none", "effect", "parameter", "reference", "unknown"))
+
+
+if __name__ == "__main__":
+    unittest.main()
