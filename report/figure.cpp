@@ -99,6 +99,15 @@ void Figure::circle(Point centre, double radius, const Fill& fill) {
                        attributes(fill));
 }
 
+void Figure::dots(std::span<const Point> centres, double radius, std::string_view colour) {
+  if (centres.empty()) return;
+  // Strokes of next to no length with round ends; of none at all, some renderers draw nothing.
+  std::string path;
+  for (const Point& centre : centres) path += fmt::format("M{} {}h.1", px(centre.x), px(centre.y));
+  body_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>\n",
+                       path, colour, px(2.0 * radius));
+}
+
 void Figure::text(Point at, std::string_view text, const TextStyle& style) {
   constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
   body_ += fmt::format("<text x=\"{0}\" y=\"{1}\" font-size=\"{2}\" fill=\"{3}\"", px(at.x), px(at.y), px(style.size),

@@ -69,6 +69,8 @@ class Figure {
   void rectangle(const Box& box, const Fill& fill);
   void frame(const Box& box, const Stroke& stroke = {});
   void circle(Point centre, double radius, const Fill& fill);
+  /// Many circles of one colour in a few bytes each.
+  void dots(std::span<const Point> centres, double radius, std::string_view colour);
   /// `at` is on the base line of the text.
   void text(Point at, std::string_view text, const TextStyle& style = {});
 

@@ -3,7 +3,9 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/effects/picture.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/text.h"
 #include "model/effects/effect.h"
 
@@ -84,7 +86,20 @@ void printAll(std::ostream& out) {
 struct Options {
   std::string name;
   std::string json;
+  std::string svg;
 };
+
+void draw(const Options& options, Session& session) {
+  if (options.name.empty())
+    throw core::InputError({.item = "--svg"}, "needs the name of an effect.", "Write: fidelis effects NAME --svg FILE");
+  const auto file = core::resourceFolder() / "effects" / (entryOf(options.name).info.name + ".json");
+  const std::string svg = effects::picture(model::demonstrate(model::readDemonstration(file)));
+  if (options.svg == "-") {
+    session.out << svg;
+  } else {
+    core::writeFile(options.svg, svg);
+  }
+}
 
 }  // namespace
 
@@ -93,16 +108,22 @@ void addEffectsCommand(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("effects", "List the effects of the library, or describe one");
   command->add_option("NAME", options->name, "Describe this effect: parameters with unit, range and default, source");
   command->add_option("--json", options->json, "Write the declarations as JSON; '-' is standard output");
+  command->add_option("--svg", options->svg,
+                      "Draw what the effect does to the detections, simulated anew; '-' is standard output");
   command->footer(
-      "Examples:\n  fidelis effects\n  fidelis effects atmospheric-attenuation\n  fidelis effects --json -");
+      "Examples:\n  fidelis effects\n  fidelis effects atmospheric-attenuation\n  fidelis effects --json -\n  "
+      "fidelis effects blooming --svg blooming.svg");
   command->callback([options, &session] {
     const model::EffectEntry* one = options->name.empty() ? nullptr : &entryOf(options->name);
+    if (!options->svg.empty()) draw(*options, session);
     if (!options->json.empty()) {
       ordered_json json{{"format", "fidelis-effects"}, {"version", 1}, {"effects", ordered_json::array()}};
       for (const model::EffectEntry& entry : model::allEffects()) {
         if (!one || one == &entry) json["effects"].push_back(toJson(entry));
       }
       session.writeJsonTo(options->json, json);
+    } else if (!options->svg.empty()) {
+      return;
     } else if (one) {
       printOne(session.out, *one);
     } else {

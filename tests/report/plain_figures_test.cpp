@@ -4,6 +4,7 @@
 #include "report/bar_figure.h"
 #include "report/curve_figure.h"
 #include "report/map_figure.h"
+#include "report/point_figure.h"
 #include "tests/report/svg_reader.h"
 
 namespace report {
@@ -71,6 +72,21 @@ TEST(CurveFigure, SurvivesNothing) {
   report_test::expectSvgTiny(curveFigure({.title = "none"}));
   report_test::expectSvgTiny(curveFigure({.title = "none", .x = {1}, .curves = {{"a", {std::nan("")}}}}));
 }
+
+// A dot is a move and a stroke of no length: one per point inside the ranges.
+TEST(PointFigure, DrawsTheReferenceInEveryPanelAndLeavesOutWhatLiesOutside) {
+  PointFigure figure{.title = "Street", .x_name = "x in m", .y_name = "y in m", .x = {0.0, 10.0}, .y = {-5.0, 5.0}};
+  figure.reference = {"off", {{1.0, 0.0}, {2.0, 0.0}, {11.0, 0.0}}};
+  figure.panels = {{"a <little>", {{1.0, 0.0}}}, {"much", {{1.0, 6.0}}}};
+  const std::string svg = pointFigure(figure);
+  report_test::expectSvgTiny(svg);
+  std::size_t dots = 0;
+  for (std::size_t at = svg.find("h.1"); at != std::string::npos; at = svg.find("h.1", at + 1)) ++dots;
+  EXPECT_EQ(dots, 2u * 2u + 1u);
+  EXPECT_THAT(svg, HasSubstr("a &lt;little&gt;"));
+}
+
+TEST(PointFigure, SurvivesNoPoints) { report_test::expectSvgTiny(pointFigure({.title = "none"})); }
 
 }  // namespace
 }  // namespace report

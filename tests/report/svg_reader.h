@@ -26,7 +26,7 @@ inline void eachElement(const std::string& xml, const std::function<void(const t
 
 /// Only what SVG Tiny 1.2 knows and QtSvg draws.
 inline void expectSvgTiny(const std::string& svg) {
-  const std::set<std::string> known = {"svg", "title", "rect", "line", "polyline", "polygon", "circle", "text"};
+  const std::set<std::string> known = {"svg", "title", "rect", "line", "polyline", "polygon", "circle", "text", "path"};
   eachElement(svg, [&](const tinyxml2::XMLElement& element) {
     EXPECT_TRUE(known.count(element.Name())) << element.Name();
     EXPECT_EQ(element.Attribute("class"), nullptr);
