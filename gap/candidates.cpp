@@ -17,9 +17,8 @@ constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 6;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
-constexpr std::size_t kPairLeaders = 4;
-constexpr std::size_t kPolished = 5;    // candidates that are fitted with more frames
-constexpr double kNearlyAsGood = 0.25;  // in merit: farther behind no refinement helps
+constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
+constexpr double kNearlyAsGood = 0.25;        // in merit: farther behind no refinement helps
 
 /// Smallest distance of two different measured ranges: the step of a counter shows in its values.
 double smallestRangeStep_m(const Replay& replay) {
@@ -34,7 +33,25 @@ double smallestRangeStep_m(const Replay& replay) {
   return step;
 }
 
-/// Starts that the map of residuals suggests: sector ends half a beam outside the strata where the gap lies.
+Split withRefined(Split split) {
+  split.refined = split.fitted;
+  split.refined.most_frames = kRefineFrames;
+  return split;
+}
+
+Candidate judged(const Replay& replay, const Split& split, const Yardstick& yardstick, const Hypothesis& hypothesis,
+                 const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+  Candidate candidate;
+  candidate.hypothesis = hypothesis;
+  // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+  const Evidence fitted = hypothesis.per_setup ? splitByBeams(replay, split.fitted.seed).fitted : split.fitted;
+  candidate.values = fit(replay, hypothesis, fitted, starts, progress);
+  candidate.explained = explainedBy(replay, split, yardstick, candidate);
+  return candidate;
+}
+
+}  // namespace
+
 std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
                                             const std::vector<WhereRow>& where) {
   const double half_deg = azimuthStep_deg(replay) / 2.0;
@@ -65,35 +82,16 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   return starts;
 }
 
-Split withRefined(Split split) {
-  split.refined = split.fitted;
-  split.refined.most_frames = kRefineFrames;
-  return split;
-}
-
 double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick, const Candidate& candidate) {
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
   return yardstick.explained(discrepancyOf(replay, world, split.held_out),
                              selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
 }
 
-Candidate judged(const Replay& replay, const Split& split, const Yardstick& yardstick, const Hypothesis& hypothesis,
-                 const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
-  Candidate candidate;
-  candidate.hypothesis = hypothesis;
-  // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
-  const Evidence fitted = hypothesis.per_setup ? splitByBeams(replay, split.fitted.seed).fitted : split.fitted;
-  candidate.values = fit(replay, hypothesis, fitted, starts, progress);
-  candidate.explained = explainedBy(replay, split, yardstick, candidate);
-  return candidate;
-}
-
 void sortByMerit(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.merit() > b.merit(); });
 }
-
-}  // namespace
 
 double Candidate::merit() const {
   return explained - kPricePerParameter * static_cast<double>(hypothesis.parameters.size());
@@ -178,33 +176,6 @@ void polish(const Replay& replay, const Split& split, const Yardstick& yardstick
     candidate.explained = explainedBy(replay, split, yardstick, candidate);
   });
   sortByMerit(candidates);
-}
-
-std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                 const std::vector<Candidate>& singles, core::Progress& progress) {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  const std::size_t leaders = std::min(kPairLeaders, singles.size());
-  for (std::size_t a = 0; a < leaders; ++a) {
-    for (std::size_t b = 0; b < singles.size(); ++b) {
-      const Hypothesis &first = singles[a].hypothesis, &second = singles[b].hypothesis;
-      if ((b < leaders && b <= a) || first.name == second.name || first.per_setup || second.per_setup) continue;
-      if (first.kind != CauseKind::kEffect || second.kind != CauseKind::kEffect) continue;
-      if (b >= leaders && singles[b].explained < 0.01 && b > 14) continue;  // moves nothing, alone or beside another
-      pairs.emplace_back(a, b);
-    }
-  }
-  std::vector<Candidate> candidates(pairs.size());
-  std::atomic<std::size_t> done = 0;
-  core::parallelFor(pairs.size(), 1, [&](std::size_t begin, std::size_t) {
-    const Candidate &a = singles[pairs[begin].first], &b = singles[pairs[begin].second];
-    const Hypothesis both = together(a.hypothesis, b.hypothesis);
-    std::vector<double> start = a.values;
-    start.insert(start.end(), b.values.begin(), b.values.end());
-    candidates[begin] = judged(replay, split, yardstick, both, {start}, progress);
-    progress.report(static_cast<double>(++done) / static_cast<double>(pairs.size()), "tried " + both.name);
-  });
-  sortByMerit(candidates);
-  return candidates;
 }
 
 }  // namespace gap

@@ -57,8 +57,15 @@ struct Yardstick {
 void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
             const core::Progress& progress);
 
-/// Joint fits of the best candidates with every other one, started from the single fits.
-[[nodiscard]] std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                               const std::vector<Candidate>& singles, core::Progress& progress);
+/// Values that the map of residuals suggests: sector ends half a beam outside the strata where the gap lies.
+[[nodiscard]] std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
+                                                          const std::vector<WhereRow>& where);
+
+/// Share of what there is to explain on held-out data that a candidate explains with its values.
+[[nodiscard]] double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                                 const Candidate& candidate);
+
+/// Best merit first.
+void sortByMerit(std::vector<Candidate>& candidates);
 
 }  // namespace gap

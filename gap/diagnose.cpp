@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "gap/candidates.h"
+#include "gap/decision.h"
 #include "gap/diagnosis.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
-#include "gap/settle.h"
 #include "gap/wording.h"
 #include "model/external/external_runs.h"
 
@@ -15,15 +15,10 @@ namespace gap {
 
 namespace {
 
-constexpr int kWhereFrames = 24;
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;   // of the gap being present at all
 constexpr double kClear = 5.0;           // standard deviations: a gap beyond doubt
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
-constexpr double kExplains = 0.70;       // share that a cause must explain on held-out data to be named
-constexpr double kLooksFurther = 0.93;   // below it pairs are tried
-constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
-constexpr double kTie = 0.02;            // merits this close cannot be told apart
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -34,38 +29,6 @@ model::LidarModel withInlineSensor(const model::LidarModel& model) {
       value = model::sensorProfileJson(value, model.file, "/sensors/" + name);
   }
   return model::parseModel(json, model.file);
-}
-
-struct WhereResult {
-  std::vector<WhereRow> rows;
-  std::vector<ResidualTable> tables;
-  double largest_steps = 0.0;  ///< largest stratum value in resolution steps
-};
-
-WhereResult findWhere(const Replay& replay, const World& world, std::uint64_t seed) {
-  std::vector<std::vector<CellStatistics>> simulated(replay.samples().size());
-  std::vector<int> frames(replay.samples().size());
-  std::vector<Comparison> comparisons;
-  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
-    const ReplaySample& sample = replay.samples()[s];
-    frames[s] = std::clamp(sample.frames, 3, kWhereFrames);
-    comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
-  }
-  settle(replay, world, comparisons, Half::kAll);
-  for (std::size_t s = 0; s < simulated.size(); ++s) simulated[s] = std::move(comparisons[s].simulated);
-  WhereResult result;
-  result.tables = residualTables(replay, simulated, frames);
-  result.rows = whereRows(replay, result.tables, simulated);
-  for (const ResidualTable& table : result.tables) {
-    result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
-  }
-  for (const WhereRow& row : result.rows) {
-    for (const ResidualTable& table : result.tables) {
-      if (table.measurand != row.measurand || table.component != row.component || row.p_value > kSignificance) continue;
-      result.largest_steps = std::max(result.largest_steps, std::abs(row.value) / table.scale);
-    }
-  }
-  return result;
 }
 
 Cause toCause(const Candidate& candidate) {
@@ -88,48 +51,6 @@ Cause toCause(const Candidate& candidate) {
   return cause;
 }
 
-/// Share of belief for each candidate: a softmax of merits, with the share that no candidate explains left over.
-/// Not yet calibrated on withheld cases.
-std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak) {
-  std::vector<double> confidences(candidates.size(), 0.0);
-  if (candidates.empty()) return confidences;
-  const double best = candidates.front().merit();
-  double sum = 0.0;
-  std::map<std::string, double> best_of_name;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const std::string& name = candidates[i].hypothesis.name;
-    if (best_of_name.count(name)) continue;  // variants of one cause share its belief
-    confidences[i] = best_of_name[name] = std::exp((candidates[i].merit() - best) / kTie);
-    sum += confidences[i];
-  }
-  const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
-  for (double& confidence : confidences) confidence *= 0.98 * trust / sum;
-  return confidences;
-}
-
-std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates) {
-  std::vector<std::string> ties;
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const std::string& name = candidates[i].hypothesis.name;
-    if (candidates[i].merit() < candidates.front().merit() - kTie || name == candidates.front().hypothesis.name)
-      continue;
-    if (std::find(ties.begin(), ties.end(), name) == ties.end()) ties.push_back(name);
-  }
-  return ties;
-}
-
-VerdictKind kindOf(CauseKind kind) {
-  switch (kind) {
-    case CauseKind::kEffect:
-      return VerdictKind::kEffect;
-    case CauseKind::kParameter:
-      return VerdictKind::kParameter;
-    case CauseKind::kReference:
-      return VerdictKind::kReference;
-  }
-  return VerdictKind::kUnknown;
-}
-
 /// The two members of a pair as causes of their own.
 std::vector<Cause> splitPair(const Candidate& pair) {
   std::vector<Cause> causes;
@@ -146,40 +67,6 @@ std::vector<Cause> splitPair(const Candidate& pair) {
   return causes;
 }
 
-/// What the search ended with.
-struct Decision {
-  VerdictKind kind = VerdictKind::kUnknown;
-  std::optional<Candidate> winner;
-  bool pair = false;
-  std::vector<Candidate> singles;
-};
-
-Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                const std::vector<WhereRow>& where, const DiagnoseOptions& options, core::Progress& progress) {
-  Decision decision;
-  core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
-  decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, options.library), where, first);
-  polish(replay, split, yardstick, decision.singles, progress);
-  const Candidate& best = decision.singles.front();
-  std::vector<Candidate> pairs;
-  if (best.explained < kLooksFurther && best.explained > 0.2) {
-    pairs = rankPairs(replay, split, yardstick, decision.singles, second);
-    polish(replay, split, yardstick, pairs, progress);
-  }
-  const bool pair_wins = !pairs.empty() && pairs.front().explained >= kExplains &&
-                         1.0 - pairs.front().explained < kPairGain * (1.0 - best.explained) &&
-                         pairs.front().explained > best.explained + 0.05;
-  if (pair_wins) {
-    decision.pair = true;
-    decision.winner = pairs.front();
-    decision.kind = VerdictKind::kEffect;
-  } else if (best.explained >= kExplains) {
-    decision.winner = best;
-    decision.kind = kindOf(best.hypothesis.kind);
-  }
-  return decision;
-}
-
 /// The causes that are listed, the verdict's first.
 void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed,
                 Diagnosis& diagnosis) {
@@ -187,7 +74,7 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = replay.samples().front().layout->pooled();
   const auto confidences = confidencesOf(decision.singles, split.weak || pooled);
-  if (decision.pair) {
+  if (decision.pair()) {
     diagnosis.causes = splitPair(*decision.winner);
     for (Cause& cause : diagnosis.causes) cause.confidence = 0.9 * std::clamp(decision.winner->explained, 0.0, 1.0);
   }
@@ -199,11 +86,11 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
     if (candidate.explained < 0.02) break;
     listed.push_back(candidate.hypothesis.name);
     diagnosis.causes.push_back(toCause(candidate));
-    diagnosis.causes.back().confidence = decision.pair ? 0.05 * confidences[i] : confidences[i];
-    const bool is_winner = decision.winner && !decision.pair && i == 0;  // gets its shrink with the interval
+    diagnosis.causes.back().confidence = decision.pair() ? 0.05 * confidences[i] : confidences[i];
+    const bool is_winner = decision.winner && !decision.pair() && i == 0;  // gets its shrink with the interval
     if (is_winner) continue;
-    const double shrink = shrinkOn(replay, worldOf(replay, candidate.hypothesis, candidate.values),
-                                   split.held_out.samples, diagnosis.before.total, seed);
+    const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+    const double shrink = shrinkOf(diagnosis.before.total, totalOf(replay, world, split.held_out.samples, seed));
     diagnosis.causes.back().shrink = {shrink, {shrink, shrink}};
   }
 }
@@ -217,7 +104,7 @@ void fillWinner(const Replay& replay, const Split& split, const Decision& decisi
   const auto intervals =
       parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.refined, progress);
   std::size_t used = 0;
-  for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) {
+  for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
     cause.shrink = far.shrink;
     for (FittedParameter& parameter : cause.parameters) {
@@ -301,7 +188,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
       z = of_all.z();
     }
   }
-  const WhereResult where = findWhere(replay, replay.baseline(), seed);
+  const WhereResult where = whereIn(replay, replay.baseline(), seed);
 
   Diagnosis diagnosis;
   diagnosis.experiment = experiment.id;
@@ -315,7 +202,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
 
   Decision decision;
   if (diagnosis.present) {
-    decision = decide(replay, split, yardstick, where.rows, options, progress);
+    decision = decide(replay, split, yardstick, where.rows, options.library, progress);
     diagnosis.verdict.kind = decision.kind;
   } else {
     diagnosis.verdict.kind = VerdictKind::kNone;
@@ -333,9 +220,9 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
       beforeAfterValues(replay, where.tables, split.held_out.samples, decision.winner ? &after : nullptr, seed);
   Verdict& verdict = diagnosis.verdict;
   if (decision.winner) {
-    for (std::size_t c = 0; c < (decision.pair ? 2U : 1U); ++c) verdict.names.push_back(diagnosis.causes[c].name);
+    verdict.names = decision.names();
     verdict.confidence = diagnosis.causes.front().confidence;
-    if (!decision.pair) verdict.indistinguishable_from = tiesOf(decision.singles);
+    if (!decision.pair()) verdict.indistinguishable_from = tiesOf(decision.singles);
     diagnosis.next_experiment = nextExperiment(replay, split, decision);
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? 0.97 : 0.85;

@@ -59,9 +59,8 @@ double vanDerCorput(unsigned n, unsigned base) {
   return value;
 }
 
-std::vector<std::vector<double>> coarsePoints(std::size_t dimensions) {
+std::vector<std::vector<double>> coarsePoints(std::size_t dimensions, unsigned count) {
   constexpr unsigned kBases[] = {2, 3, 5, 7, 11, 13};
-  const unsigned count = dimensions == 1 ? 14 : dimensions == 2 ? 24 : 40;
   std::vector<std::vector<double>> points;
   for (unsigned n = 0; n < count; ++n) {
     std::vector<double> point;
@@ -72,6 +71,8 @@ std::vector<std::vector<double>> coarsePoints(std::size_t dimensions) {
   }
   return points;
 }
+
+unsigned coarseCount(std::size_t dimensions) { return dimensions == 1 ? 14 : dimensions == 2 ? 24 : 40; }
 
 /// The objective on the unit cube.
 class Objective {
@@ -128,7 +129,7 @@ std::vector<double> coarseSearch(const Objective& objective, const std::vector<s
   }
   few.most_frames = std::min(few.most_frames, 3);
   const Objective quick = objective.on(few);
-  std::vector<std::vector<double>> points = coarsePoints(objective.dimensions());
+  std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
   std::vector<double> best;
   double best_value = std::numeric_limits<double>::infinity();
@@ -282,6 +283,27 @@ std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, c
   const auto refined =
       start.size() == 1 ? refineOne(objective, start[0], kFineReach) : refineSeveral(objective, start, kFineStep);
   return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
+}
+
+std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                            const std::vector<double>& start, const core::Progress& progress) {
+  if (start.empty()) return start;
+  const Objective objective(replay, hypothesis, evidence, progress);
+  const std::vector<double> unit = objective.unitOf(start);
+  const auto refined =
+      unit.size() == 1 ? refineOne(objective, unit[0], kReach) : refineSeveral(objective, unit, kFirstStep);
+  return objective.valuesAt(objective(refined) < objective(unit) ? refined : unit);
+}
+
+std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis, unsigned count) {
+  std::vector<Scale> scales;
+  for (const FreeParameter& parameter : hypothesis.parameters) scales.emplace_back(parameter);
+  if (scales.empty()) return {{}};
+  std::vector<std::vector<double>> points = coarsePoints(scales.size(), count);
+  for (auto& point : points) {
+    for (std::size_t d = 0; d < scales.size(); ++d) point[d] = scales[d].toValue(point[d]);
+  }
+  return points;
 }
 
 }  // namespace gap

@@ -34,6 +34,13 @@ struct Evidence {
 [[nodiscard]] std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                       const std::vector<std::vector<double>>& starts, const core::Progress& progress);
 
+/// The same without the coarse search: from these values on.
+[[nodiscard]] std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                          const std::vector<double>& start, const core::Progress& progress);
+
+/// Values spread evenly over the plausible range of a hypothesis: as many points, or one if it has no free number.
+[[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis, unsigned count);
+
 /// Searches the neighbourhood of values that are nearly right, on all frames that the evidence allows.
 [[nodiscard]] std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                          const std::vector<double>& values, const core::Progress& progress);

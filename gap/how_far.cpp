@@ -44,19 +44,28 @@ double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
   return squares;
 }
 
-double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
-
 }  // namespace
 
-double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out, double total_before,
-                std::uint64_t seed) {
-  std::vector<TotalGap> then;
-  for (const std::size_t s : held_out) {
+double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
+
+double totalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples, std::uint64_t seed) {
+  std::vector<TotalGap> gaps;
+  for (const std::size_t s : samples) {
     const ReplaySample& sample = replay.samples()[s];
-    then.push_back(
-        totalGap(replay.experiment().measurands, sample.measured, replay.detections(after, s, seed), sample.frames));
+    gaps.push_back(
+        totalGap(replay.experiment().measurands, sample.measured, replay.detections(world, s, seed), sample.frames));
   }
-  return shrinkOf(total_before, meanOf(then).total);
+  return meanOf(gaps).total;
+}
+
+double selfTotalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
+                   std::uint64_t seed) {
+  std::vector<TotalGap> gaps;
+  for (const std::size_t s : samples) {
+    gaps.push_back(totalGap(replay.experiment().measurands, replay.detections(world, s, seed + 1),
+                            replay.detections(world, s, seed), replay.samples()[s].frames));
+  }
+  return meanOf(gaps).total;
 }
 
 BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,

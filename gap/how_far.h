@@ -7,9 +7,16 @@
 
 namespace gap {
 
-/// Shrink of the total gap on held-out samples from what it was before, without its interval.
-[[nodiscard]] double shrinkOn(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
-                              double total_before, std::uint64_t seed);
+/// Mean total gap of a world over some samples.
+[[nodiscard]] double totalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
+                             std::uint64_t seed);
+
+/// The same if the world were right: between two simulations of it.
+[[nodiscard]] double selfTotalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
+                                 std::uint64_t seed);
+
+/// Shrink of the total gap from what it was before.
+[[nodiscard]] double shrinkOf(double before, double after);
 
 /// The gap on the held-out samples before and after, with a bootstrap over samples (set-ups) and their frames.
 struct BeforeAfter {

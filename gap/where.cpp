@@ -9,13 +9,16 @@
 
 #include "core/physics.h"
 #include "gap/discrepancy.h"
+#include "gap/settle.h"
 
 namespace gap {
 
 namespace {
 
 constexpr std::size_t kQuantileGroups = 16;
-constexpr double kSmallestExcess = 0.1;   // of the resolution: less is not worth a row
+constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
+constexpr int kWhereFrames = 24;
+constexpr double kSignificant = 1e-3;
 constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent
 
 using Row = ResidualTable::Row;
@@ -318,6 +321,32 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
     const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
     return excess_a != excess_b ? excess_a > excess_b : a.score > b.score;
   });
+  return result;
+}
+
+WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed) {
+  std::vector<std::vector<CellStatistics>> simulated(replay.samples().size());
+  std::vector<int> frames(replay.samples().size());
+  std::vector<Comparison> comparisons;
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const ReplaySample& sample = replay.samples()[s];
+    frames[s] = std::clamp(sample.frames, 3, kWhereFrames);
+    comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
+  }
+  settle(replay, world, comparisons, Half::kAll);
+  for (std::size_t s = 0; s < simulated.size(); ++s) simulated[s] = std::move(comparisons[s].simulated);
+  WhereResult result;
+  result.tables = residualTables(replay, simulated, frames);
+  result.rows = whereRows(replay, result.tables, simulated);
+  for (const ResidualTable& table : result.tables) {
+    result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
+  }
+  for (const WhereRow& row : result.rows) {
+    for (const ResidualTable& table : result.tables) {
+      if (table.measurand != row.measurand || table.component != row.component || row.p_value > kSignificant) continue;
+      result.largest_steps = std::max(result.largest_steps, std::abs(row.value) / table.scale);
+    }
+  }
   return result;
 }
 

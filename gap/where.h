@@ -57,4 +57,12 @@ struct ResidualTable {
 [[nodiscard]] std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
                                               const std::vector<std::vector<CellStatistics>>& simulated);
 
+/// Where a world differs from the measurement, the reference settled within its tolerance.
+struct WhereResult {
+  std::vector<WhereRow> rows;
+  std::vector<ResidualTable> tables;
+  double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
+};
+[[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);
+
 }  // namespace gap

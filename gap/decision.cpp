@@ -1,0 +1,142 @@
+#include "gap/decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gap/how_far.h"
+#include "gap/pairs.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kExplains = 0.70;      // share that a cause must explain on held-out data to be named
+constexpr double kWeakGap = 0.40;       // the least share where the gap itself is hardly larger than the noise
+constexpr double kLooksFurther = 0.93;  // below it pairs are tried
+constexpr double kMaterialRest = 0.08;  // so are they if more of the total gap than this stays
+constexpr double kPairGain = 0.5;       // a pair must halve what its best member leaves
+constexpr double kTie = 0.02;           // merits this close cannot be told apart
+
+VerdictKind kindOf(CauseKind kind) {
+  switch (kind) {
+    case CauseKind::kEffect:
+      return VerdictKind::kEffect;
+    case CauseKind::kParameter:
+      return VerdictKind::kParameter;
+    case CauseKind::kReference:
+      return VerdictKind::kReference;
+  }
+  return VerdictKind::kUnknown;
+}
+
+/// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
+/// beyond what a right model keeps.
+struct Rest {
+  double discrepancy = 1.0;
+  double total = 1.0;
+};
+
+class TotalGaps {
+ public:
+  TotalGaps(const Replay& replay, const Split& split)
+      : replay_(replay),
+        split_(split),
+        baseline_(totalOf(replay, replay.baseline(), split.held_out.samples, split.held_out.seed)) {}
+
+  [[nodiscard]] Rest restOf(const Candidate& candidate) const {
+    const World world = worldOf(replay_, candidate.hypothesis, candidate.values);
+    const auto& samples = split_.held_out.samples;
+    const double floor = selfTotalOf(replay_, world, samples, split_.held_out.seed);
+    const double left = totalOf(replay_, world, samples, split_.held_out.seed) - floor;
+    return {1.0 - candidate.explained, std::max(0.0, left / std::max(1e-9, baseline_ - floor))};
+  }
+
+ private:
+  const Replay& replay_;
+  const Split& split_;
+  double baseline_;
+};
+
+/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap.
+bool earnsItsSecond(const Rest& single, const Rest& pair) {
+  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && single.discrepancy - pair.discrepancy > 0.05;
+  const bool smaller =
+      single.total > kMaterialRest && pair.total < kPairGain * single.total && pair.discrepancy < single.discrepancy;
+  return closer || smaller;
+}
+
+}  // namespace
+
+/// Share of belief for each candidate: a softmax of merits, with the share that no candidate explains left over.
+/// Not yet calibrated on withheld cases.
+std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak) {
+  std::vector<double> confidences(candidates.size(), 0.0);
+  if (candidates.empty()) return confidences;
+  const double best = candidates.front().merit();
+  double sum = 0.0;
+  std::map<std::string, double> best_of_name;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const std::string& name = candidates[i].hypothesis.name;
+    if (best_of_name.count(name)) continue;  // variants of one cause share its belief
+    confidences[i] = best_of_name[name] = std::exp((candidates[i].merit() - best) / kTie);
+    sum += confidences[i];
+  }
+  const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
+  for (double& confidence : confidences) confidence *= 0.98 * trust / sum;
+  return confidences;
+}
+
+std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates) {
+  std::vector<std::string> ties;
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const std::string& name = candidates[i].hypothesis.name;
+    if (candidates[i].merit() < candidates.front().merit() - kTie || name == candidates.front().hypothesis.name)
+      continue;
+    if (std::find(ties.begin(), ties.end(), name) == ties.end()) ties.push_back(name);
+  }
+  return ties;
+}
+
+std::vector<std::string> Decision::names() const {
+  if (!winner) return {};
+  if (!pair()) return {winner->hypothesis.name};
+  std::vector<std::string> effects, all;
+  for (const Hypothesis& member : winner->hypothesis.members) {
+    all.push_back(member.name);
+    if (member.kind == CauseKind::kEffect) effects.push_back(member.name);
+  }
+  return effects.empty() ? all : effects;
+}
+
+Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                const std::vector<WhereRow>& where, const std::vector<std::string>& library, core::Progress& progress) {
+  Decision decision;
+  core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
+  decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, library), where, first);
+  polish(replay, split, yardstick, decision.singles, progress);
+  const Candidate& best = decision.singles.front();
+  const double spread =
+      std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);
+  const double enough = std::max(kWeakGap, kExplains - 2.0 * spread);
+  if (best.explained >= enough) {
+    decision.winner = best;
+    decision.kind = kindOf(best.hypothesis.kind);
+  }
+  const TotalGaps totals(replay, split);
+  const Rest rest = totals.restOf(best);
+  if ((rest.discrepancy < 1.0 - kLooksFurther && rest.total < kMaterialRest) || best.explained < 0.1) return decision;
+  std::vector<Candidate> pairs = rankPairs(replay, split, yardstick, decision.singles, second);
+  polish(replay, split, yardstick, pairs, progress);
+  if (pairs.empty() || pairs.front().explained < enough) return decision;
+  const Candidate& pair = pairs.front();
+  if (!earnsItsSecond(rest, totals.restOf(pair))) return decision;
+  decision.winner = pair;
+  const auto& members = pair.hypothesis.members;
+  const bool an_effect =
+      std::any_of(members.begin(), members.end(), [](const Hypothesis& m) { return m.kind == CauseKind::kEffect; });
+  decision.kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().kind);
+  return decision;
+}
+
+}  // namespace gap

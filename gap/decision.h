@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gap/candidates.h"
+#include "gap/diagnosis.h"
+
+namespace gap {
+
+/// What the search for causes ended with.
+struct Decision {
+  VerdictKind kind = VerdictKind::kUnknown;
+  std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
+  std::vector<Candidate> singles;   ///< best first
+
+  [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
+  /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
+  [[nodiscard]] std::vector<std::string> names() const;
+};
+
+/// Fits and judges every hypothesis alone; in pairs as long as something material is left that the best one does not
+/// explain. docs/diagnosis.md gives the reasons for its bounds.
+[[nodiscard]] Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                              const std::vector<WhereRow>& where, const std::vector<std::string>& library,
+                              core::Progress& progress);
+
+/// Share of belief of each candidate; the rest belongs to what none of them says. `weak`: no whole sample was held out.
+[[nodiscard]] std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak);
+
+/// Causes that the data cannot tell from the best one.
+[[nodiscard]] std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates);
+
+}  // namespace gap

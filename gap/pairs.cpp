@@ -1,0 +1,240 @@
+#include "gap/pairs.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/parallel.h"
+#include "gap/signatures.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kSignatureSamples = 4;
+constexpr int kSignatureFrames = 4;
+constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
+constexpr std::size_t kPartnersFitted = 4;  // nearest partners of a cause
+constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
+constexpr int kExchanges = 2;
+constexpr unsigned kValuesOfOne = 8;  // at which the signature of a cause with one number is taken
+constexpr unsigned kValuesOfSeveral = 14;
+
+/// A cause at certain values.
+struct Atom {
+  std::size_t single = 0;
+  std::vector<double> values;
+};
+
+std::vector<std::size_t> spreadOver(const std::vector<std::size_t>& samples) {
+  if (samples.size() <= kSignatureSamples) return samples;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < kSignatureSamples; ++i)
+    chosen.push_back(samples[i * (samples.size() - 1) / (kSignatureSamples - 1)]);
+  return chosen;
+}
+
+/// A pair of causes to begin a joint fit with.
+struct Guess {
+  std::size_t first = 0, second = 0;  ///< singles
+  std::vector<double> values;         ///< of both
+  double distance = 0.0;
+};
+
+class PairSearch {
+ public:
+  PairSearch(const Replay& replay, const Split& split, const Yardstick& yardstick,
+             const std::vector<Candidate>& singles, core::Progress& progress)
+      : replay_(replay), split_(split), yardstick_(yardstick), singles_(singles), progress_(progress) {}
+
+  [[nodiscard]] std::vector<Candidate> run() {
+    std::vector<Guess> guesses = nearestSums();
+    std::vector<std::string> partnered;
+    for (std::size_t i = 0; i < singles_.size() && partnered.size() < kPartnered; ++i) {
+      const std::string& name = singles_[i].hypothesis.name;
+      if (singles_[i].hypothesis.per_setup || std::count(partnered.begin(), partnered.end(), name) > 0) continue;
+      partnered.push_back(name);
+      append(guesses, partnersOf(i, singles_[i].values));
+    }
+    fit(std::move(guesses));
+    for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
+      const Fitted best = pairs_.front();
+      const auto middle = best.candidate.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(best.first));
+      guesses = partnersOf(best.first, {best.candidate.values.begin(), middle});
+      append(guesses, partnersOf(best.second, {middle, best.candidate.values.end()}));
+      fit(std::move(guesses));
+      if (pairs_.front().first == best.first && pairs_.front().second == best.second) break;
+    }
+    std::vector<Candidate> result;
+    for (Fitted& pair : pairs_) result.push_back(std::move(pair.candidate));
+    return result;
+  }
+
+ private:
+  struct Fitted {
+    std::size_t first, second;
+    Candidate candidate;
+  };
+
+  [[nodiscard]] std::size_t numbersOf(std::size_t single) const {
+    return singles_[single].hypothesis.parameters.size();
+  }
+  static void append(std::vector<Guess>& to, std::vector<Guess> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(to));
+  }
+  [[nodiscard]] bool pairable(std::size_t a, std::size_t b) const {
+    const Hypothesis &x = singles_[a].hypothesis, &y = singles_[b].hypothesis;
+    return a != b && !x.per_setup && !y.per_setup && x.name != y.name;
+  }
+
+  /// Every cause at its fitted values, at others all over its range, and where `rest` suggests.
+  [[nodiscard]] std::vector<Atom> atomsFor(const std::vector<WhereRow>& rest) const {
+    std::vector<Atom> atoms;
+    for (std::size_t i = 0; i < singles_.size(); ++i) {
+      const Hypothesis& hypothesis = singles_[i].hypothesis;
+      if (hypothesis.per_setup) continue;
+      atoms.push_back({i, singles_[i].values});
+      const std::size_t numbers = hypothesis.parameters.size();
+      if (numbers == 0) continue;
+      for (auto& values : valuesAllOver(hypothesis, numbers == 1 ? kValuesOfOne : kValuesOfSeveral))
+        atoms.push_back({i, std::move(values)});
+      for (auto& values : startsFrom(replay_, hypothesis, rest)) atoms.push_back({i, std::move(values)});
+    }
+    return atoms;
+  }
+
+  /// A column for each of the worlds.
+  [[nodiscard]] Eigen::MatrixXf signaturesOf(const SignatureSpace& space, std::size_t count,
+                                             const std::function<World(std::size_t)>& world) const {
+    Eigen::MatrixXf signatures(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(count));
+    core::parallelFor(count, 1, [&](std::size_t a, std::size_t) {
+      core::stopIfCancelled(progress_);
+      const Signature signature = space.of(world(a));
+      signatures.col(static_cast<Eigen::Index>(a)) =
+          Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
+    });
+    return signatures;
+  }
+  [[nodiscard]] static Eigen::VectorXf measuredIn(const SignatureSpace& space) {
+    const Signature& measured = space.ofMeasurement();
+    return Eigen::Map<const Eigen::VectorXf>(measured.data(), static_cast<Eigen::Index>(measured.size()));
+  }
+  [[nodiscard]] SignatureSpace spaceOf(const World& base) const {
+    return {replay_, base, spreadOver(split_.fitted.samples), kSignatureFrames, split_.fitted.seed};
+  }
+
+  /// Pairs of causes by the distance of their summed signatures from the measurement.
+  [[nodiscard]] std::vector<Guess> nearestSums() const {
+    const SignatureSpace space = spaceOf(replay_.baseline());
+    const std::vector<Atom> atoms = atomsFor(whereIn(replay_, replay_.baseline(), split_.fitted.seed).rows);
+    const Eigen::MatrixXf signatures = signaturesOf(space, atoms.size(), [&](std::size_t a) {
+      return worldOf(replay_, singles_[atoms[a].single].hypothesis, atoms[a].values);
+    });
+    const Eigen::MatrixXf products = signatures.transpose() * signatures;
+    const Eigen::VectorXf along = signatures.transpose() * measuredIn(space);
+    std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
+    for (std::size_t a = 0; a < atoms.size(); ++a) {
+      for (std::size_t b = a + 1; b < atoms.size(); ++b) {
+        if (!pairable(atoms[a].single, atoms[b].single)) continue;
+        const auto x = static_cast<Eigen::Index>(a), y = static_cast<Eigen::Index>(b);
+        const double distance =
+            static_cast<double>(products(x, x) + products(y, y) + 2.0F * products(x, y) - 2.0F * (along(x) + along(y)));
+        const auto [known, added] = nearest.try_emplace({atoms[a].single, atoms[b].single});
+        if (!added && distance >= known->second.distance) continue;
+        known->second = {atoms[a].single, atoms[b].single, joined(atoms[a].values, atoms[b].values), distance};
+      }
+    }
+    std::vector<Guess> guesses;
+    for (auto& [pair, guess] : nearest) guesses.push_back(std::move(guess));
+    return nearestOf(std::move(guesses), kSumsFitted);
+  }
+
+  /// What goes best with a cause at these values.
+  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
+    const Hypothesis& hypothesis = singles_[first].hypothesis;
+    const World base = worldOf(replay_, hypothesis, values);
+    std::vector<Atom> atoms = atomsFor(whereIn(replay_, base, split_.fitted.seed).rows);
+    std::erase_if(atoms, [&](const Atom& atom) { return !pairable(first, atom.single); });
+    Evidence few = split_.fitted;
+    few.samples = spreadOver(few.samples);
+    few.most_frames = kSignatureFrames;
+    std::vector<double> distances(atoms.size());
+    core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
+      core::stopIfCancelled(progress_);
+      const Hypothesis both = together(hypothesis, singles_[atoms[a].single].hypothesis);
+      distances[a] = discrepancyOf(replay_, worldOf(replay_, both, joined(values, atoms[a].values)), few);
+    });
+    std::map<std::size_t, Guess> nearest;
+    for (std::size_t a = 0; a < atoms.size(); ++a) {
+      const auto [known, added] = nearest.try_emplace(atoms[a].single);
+      if (!added && distances[a] >= known->second.distance) continue;
+      known->second = {first, atoms[a].single, joined(values, atoms[a].values), distances[a]};
+    }
+    std::vector<Guess> guesses;
+    for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+    return nearestOf(std::move(guesses), kPartnersFitted);
+  }
+
+  [[nodiscard]] static std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+  [[nodiscard]] static std::vector<Guess> nearestOf(std::vector<Guess> guesses, std::size_t count) {
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const Guess& a, const Guess& b) { return a.distance < b.distance; });
+    if (guesses.size() > count) guesses.erase(guesses.begin() + static_cast<std::ptrdiff_t>(count), guesses.end());
+    return guesses;
+  }
+
+  [[nodiscard]] bool known(const Guess& guess) const {
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) {
+      return std::minmax(pair.first, pair.second) == std::minmax(guess.first, guess.second);
+    });
+  }
+
+  /// Joint fits of the guesses that are new; `pairs_` stays in order of merit.
+  void fit(std::vector<Guess> guesses) {
+    std::set<std::pair<std::size_t, std::size_t>> taken;
+    std::erase_if(guesses, [&](const Guess& guess) {
+      return known(guess) || !taken.insert(std::minmax(guess.first, guess.second)).second;
+    });
+    std::vector<Fitted> fitted(guesses.size());
+    std::atomic<std::size_t> done = 0;
+    core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+      const Guess& guess = guesses[g];
+      Candidate& candidate = fitted[g].candidate;
+      fitted[g].first = guess.first;
+      fitted[g].second = guess.second;
+      candidate.hypothesis = together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
+      candidate.values = fitFrom(replay_, candidate.hypothesis, split_.fitted, guess.values, progress_);
+      candidate.explained = explainedBy(replay_, split_, yardstick_, candidate);
+      progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
+                       "tried " + candidate.hypothesis.name);
+    });
+    std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
+    std::stable_sort(pairs_.begin(), pairs_.end(),
+                     [](const Fitted& a, const Fitted& b) { return a.candidate.merit() > b.candidate.merit(); });
+  }
+
+  const Replay& replay_;
+  const Split& split_;
+  const Yardstick& yardstick_;
+  const std::vector<Candidate>& singles_;
+  core::Progress& progress_;
+  std::vector<Fitted> pairs_;
+};
+
+}  // namespace
+
+std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
+                                 const std::vector<Candidate>& singles, core::Progress& progress) {
+  return PairSearch(replay, split, yardstick, singles, progress).run();
+}
+
+}  // namespace gap

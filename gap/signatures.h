@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gap/comparison.h"
+#include "gap/replay.h"
+
+namespace gap {
+
+/// What a change of the world does to the data: shifts of cell means, of detections per frame and of spreads, each in
+/// its standard error, from those of a base world. The shifts of small changes add up, so that signatures of single
+/// causes tell which two of them together may look like the measurement.
+using Signature = std::vector<float>;
+
+/// The cells and scales in which signatures are taken: a few samples, a thousand cells, errors that the measurement and
+/// the base have. Where the measurement stands far outside of them, all errors are widened alike, so that large
+/// deviations keep their shape.
+class SignatureSpace {
+ public:
+  /// Shifts are taken from what `base` predicts.
+  SignatureSpace(const Replay& replay, const World& base, std::vector<std::size_t> samples, int frames,
+                 std::uint64_t seed);
+
+  [[nodiscard]] std::size_t size() const noexcept { return measured_.size(); }
+  /// Measured less base, the reference settled within its tolerance.
+  [[nodiscard]] const Signature& ofMeasurement() const noexcept { return measured_; }
+  /// World less base, under the same random numbers.
+  [[nodiscard]] Signature of(const World& world) const;
+
+ private:
+  [[nodiscard]] Signature shifts(std::size_t part, const std::vector<CellStatistics>& of, int frames,
+                                 const std::vector<CellStatistics>& from) const;
+
+  const Replay& replay_;
+  int frames_;
+  std::uint64_t seed_;
+  std::vector<std::size_t> samples_;
+  std::vector<std::vector<CellStatistics>> base_;  ///< of each sample
+  std::vector<std::vector<std::size_t>> cells_;    ///< taken of each sample, surfaces in order of power
+  double widening_ = 1.0;
+  Signature measured_;
+};
+
+}  // namespace gap
