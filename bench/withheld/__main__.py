@@ -55,7 +55,7 @@ def arguments(argv):
     parser.add_argument("--effects", default="", help="only these causes, a,b: effects, parameters as `cases` names them")
     parser.add_argument("--case", default="", help="only this case; prints its verdict beside the truth")
     parser.add_argument("--jobs", type=int, default=2, help="cases at once, one thread each (default: 2)")
-    parser.add_argument("--time-limit", type=float, default=600, metavar="S", help="of a diagnosis; past it the case is wrong (600)")
+    parser.add_argument("--time-limit", type=float, default=300, metavar="S", help="processor time of a diagnosis; past it the case is wrong (300)")
     parser.add_argument("--oracle", action="store_true", help="run with only the true effects in the library, too")
     options = parser.parse_args(argv)
     options.classes = [c for c in options.classes.split(",") if c]
@@ -117,7 +117,8 @@ def program(options, name):
 def build_cases(options):
     generator = options.generator or "own"
     program(options, "fidelis"), program(options, {"own": "fidelis", "foreign": "withheld_generator"}[generator])
-    slots = itertools.islice(cases.slots(options.seed, options.classes, options.effects), options.count)
+    slots = itertools.islice(cases.slots(options.seed, options.classes, options.effects, cases.laws_of(generator)),
+                             options.count)
     failed = [text for number, text in at_once("build", options.jobs, build.build, (
         (options.seed, slot, options.cases, options.bin, generator) for slot in slots)) if number is None]
     for text in failed:

@@ -29,6 +29,7 @@ CLASSES = {"effect": 0.48, "pair": 0.10, "parameter": 0.10, "reference": 0.10, "
            "hidden": 0.04, "ambiguous": 0.02}
 PARAMETERS = ["reflectivity", "emitter/peak_power_w", "receiver/threshold_w", "receiver/noise_w", "detection/range_noise_m",
               "detection/epw_noise_m", "emitter/pulse_fwhm_ns", "visibility_m"]
+BUDGET = 3000  # about so many beams of all frames in a sample
 REFERENCES = ["everywhere", "per-setup"]
 AMBIGUOUS = ["range-offset", "clock-drift", "reference", "atmospheric-attenuation", "reflectivity"]
 
@@ -61,14 +62,18 @@ class Impossible(Exception):
     """This draw cannot show what was asked for; draw again."""
 
 
-def names_of(class_name, laws=tuple(outside.LAWS)):
+def laws_of(generator):
+    return tuple(outside.LAWS) + (tuple(outside.FOREIGN) if generator == "foreign" else ())
+
+
+def names_of(class_name, laws=laws_of("foreign")):
     """What a class goes through in turn."""
     return {"effect": list(effects.LIBRARY), "removed": list(effects.LIBRARY), "pair": ["two"], "parameter": PARAMETERS,
             "reference": REFERENCES, "none": ["scatter", "quiet"], "outside": list(laws), "hidden": effects.WEAKENING,
             "ambiguous": AMBIGUOUS}[class_name]
 
 
-def slots(seed, classes=None, names=None, laws=tuple(outside.LAWS)):
+def slots(seed, classes=None, names=None, laws=laws_of("own")):
     """Endless, the same from the start for any count: (class, name, number)."""
     rng = random.Random(f"slots/{seed}/{sorted(classes or [])}/{sorted(names or [])}")
     chosen = [c for c in CLASSES if not classes or c in classes]
@@ -115,7 +120,7 @@ def samples_of(rng, scene, profile, most_frames=30):
     setups = [f"setup-{(i // 2) + 1}" if shared and i < count - 4 else f"setup-{i + 1}" for i in range(count)]
     distinct = sorted(set(setups))
     held = set(rng.sample(distinct, max(2, round(len(distinct) / 3))))
-    frames = max(5, min(most_frames, round(6000 / sensors.beams(profile) * rng.uniform(0.7, 1.4))))
+    frames = max(5, min(most_frames, round(BUDGET / sensors.beams(profile) * rng.uniform(0.7, 1.4))))
     known_m = rng.choice([0.002, 0.005, 0.01])
     result = []
     for i, (parameters, patch) in enumerate(scene.samples):
@@ -268,7 +273,11 @@ def make_none(rng, draft, scene, name):
 def make_outside(rng, draft, scene, name):
     draft.kind, draft.names = "unknown", []
     if name.startswith("x-"):
-        draft.cause = lambda u: Cause(effects={name: {}}, parameters={"law": name})
+        needs, recipe = outside.FOREIGN[name]
+        if not needs <= effects.traits(scene, draft.baseline["sensor"]):
+            raise Impossible(name)
+        values = recipe(rng, context_of(scene, draft.baseline["sensor"]))
+        draft.cause = lambda u: Cause(effects={name: values(u)}, parameters={"law": name, **values(u)})
         return
     law = outside.LAWS[name](rng)
     draft.cause = lambda u: Cause(after=lambda table: law(table, u), parameters={"law": name, "strength": round(u, 3)})

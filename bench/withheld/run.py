@@ -5,7 +5,9 @@ The key of a result is a hash of the case's files, the program's bytes and the o
 
 import hashlib
 import json
+import os
 import random
+import resource
 import shutil
 import subprocess
 import tempfile
@@ -37,8 +39,22 @@ def result_path(home, program_key, variant):
     return home / "results" / f"{variant}-{program_key}-{digest(*files)}.json"
 
 
-def diagnose(home, bin_folder, program_key, time_limit_s=600, variant="full"):
-    """The result of a case, run if it is not there. `variant`: full, or oracle (only the true effects in the library)."""
+def limited(command, log, limit_s):
+    """(exit status, processor seconds, peak memory in MiB). Stopped after `limit_s` of processor time, so that a busy machine
+    does not make a diagnosis late; exit status None then."""
+    with open(log, "w") as stream:
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=stream,
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(limit_s), int(limit_s) + 1)))
+        _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    seconds = usage.ru_utime + usage.ru_stime
+    out_of_time = process.returncode < 0 and seconds >= limit_s - 2
+    return None if out_of_time else process.returncode, seconds, usage.ru_maxrss / 1024
+
+
+def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
+    """The result of a case, run if it is not there. `variant`: full, or oracle (only the true effects in the library).
+    `elapsed_s` is processor time of one thread."""
     home, program = Path(home), str(Path(bin_folder) / "fidelis")
     case = packages.read(home / "case.json")
     target = result_path(home, program_key, variant)
@@ -54,21 +70,18 @@ def diagnose(home, bin_folder, program_key, time_limit_s=600, variant="full"):
         command = [program, "--threads", "1", "gap", str(home / "experiment"), "--model", str(home / "model.json"), *library,
                    "--json", str(folder / "report.json"), "--write-model", str(folder / "better.json")]
         result = {"id": case["id"], "variant": variant, "program": program_key, "date": time.strftime("%Y-%m-%d")}
-        started = time.monotonic()
-        try:
-            run = subprocess.run(command, capture_output=True, text=True, timeout=time_limit_s)
-            result["exit"] = run.returncode
-            if run.returncode not in (0, 1) or not (folder / "report.json").exists():
-                result.update(status="failed", message=run.stderr.strip()[-400:])
-            else:
-                report = packages.read(folder / "report.json")
-                result.update(status="done", report={k: report[k] for k in KEEP if k in report})
-                result["report"]["where"] = result["report"].get("where", [])[:5]
-                better = packages.read(folder / "better.json") if (folder / "better.json").exists() else None
-                result["actual"] = actual_shrink(home, case, report, better, bin_folder)
-        except subprocess.TimeoutExpired:
-            result.update(status="timeout", message=f"not done after {time_limit_s} s")
-        result["elapsed_s"] = round(time.monotonic() - started, 2)
+        code, seconds, memory = limited(command, folder / "log", time_limit_s)
+        result.update(exit=code, elapsed_s=round(seconds, 2), peak_mib=round(memory))
+        if code is None:
+            result.update(status="timeout", message=f"not done after {time_limit_s} s of processor time")
+        elif code not in (0, 1) or not (folder / "report.json").exists():
+            result.update(status="failed", message=(folder / "log").read_text().strip()[-400:])
+        else:
+            report = packages.read(folder / "report.json")
+            result.update(status="done", report={k: report[k] for k in KEEP if k in report})
+            result["report"]["where"] = result["report"].get("where", [])[:5]
+            better = packages.read(folder / "better.json") if (folder / "better.json").exists() else None
+            result["actual"] = actual_shrink(home, case, report, better, bin_folder)
         packages.write(target, result)
         return result
     finally:

@@ -45,7 +45,7 @@ def invented(rng, reach_m):
                       "range_mode": rng.choice(["peak", "peak", "leading-edge", "centre"]),
                       "min_range_m": 0.5, "max_range_m": 200,
                       "range_resolution_m": rng.choice([0.002, 0.005, 0.01, 0.02]), "epw_resolution_m": rng.choice([0.02, 0.03, 0.04]),
-                      "intensity_resolution": rounded(threshold * 1e9 / rng.uniform(3, 10), 1),
+                      "intensity_resolution": rounded(threshold * 1e9 / rng.uniform(1, 5), 1),
                       "range_noise_m": round(rng.uniform(0.004, 0.03), 3), "epw_noise_m": round(rng.uniform(0.02, 0.08), 3),
                       "output": outputs}}
 
@@ -82,7 +82,7 @@ def draw(rng, scene):
     span = scene.elevation_deg
     middle, half = sum(span) / 2, (span[1] - span[0]) / 2
     elevations = [round(middle + (2 * i / (count - 1) - 1) * half, 2) if count > 1 else round(middle, 2) for i in range(count)]
-    profile["scan"]["layers"] = scan(rng, scene.half_width_deg, elevations, log_uniform(rng, 200, 900))
+    profile["scan"]["layers"] = scan(rng, scene.half_width_deg, elevations, log_uniform(rng, 150, 700))
     return profile
 
 
