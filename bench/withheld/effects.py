@@ -67,7 +67,7 @@ def jitter(rng, context):
 def exhaust(rng, context):
     place = round(context.near_m * rng.uniform(0.4, 0.8), 2)
     size = round(rng.uniform(0.5, 1.5), 2)
-    return lambda u: {"extinction_1_m": between(0.03, 3)(u), "size_m": size, "centre": [place, 0.0, 0.0]}
+    return lambda u: {"extinction_1_m": between(0.002, 3)(u), "size_m": size, "centre": [place, 0.0, 0.0]}
 
 
 def sector(rng, context, share):
@@ -79,7 +79,7 @@ def sector(rng, context, share):
 def spoofing(rng, context):
     centre, _ = sector(rng, context, 0)
     place = round(rng.uniform(0.3, 0.9) * context.near_m, 2)
-    return lambda u: {"azimuth_deg": centre, "range_m": place, "width_deg": between(0.3, 0.7 * context.scene.half_width_deg)(u)}
+    return lambda u: {"azimuth_deg": centre, "range_m": place, "width_deg": between(0.05, 0.7 * context.scene.half_width_deg)(u)}
 
 
 def blinding(rng, context):
@@ -132,8 +132,9 @@ def gating(rng, context):
     """Closes from behind, or from in front, over the ranges that occur."""
     span = context.far_m - context.near_m
     if rng.random() < 0.6:
-        return lambda u: {"from_m": 0.0, "to_m": round(context.far_m - 0.02 * span - 0.6 * span * u, 2)}
-    return lambda u: {"from_m": round(context.near_m + 0.02 * span + 0.5 * span * u, 2), "to_m": 1000.0}
+        last = max(context.far_m, context.scene.reach_m) if "echoes" in context.scene.shows else context.far_m
+        return lambda u: {"from_m": 0.0, "to_m": round(last + 0.3 - (last - context.near_m) * 0.8 * u, 2)}
+    return lambda u: {"from_m": round(max(0.0, context.near_m - 0.3 + 0.6 * span * u), 2), "to_m": 1000.0}
 
 
 def merging(rng, context):

@@ -3,6 +3,7 @@
 The key of a result is a hash of the case's files, the program's bytes and the options. A crash or a time-out is a result, too.
 """
 
+import copy
 import hashlib
 import json
 import os
@@ -89,9 +90,8 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
 
 
 def believed(experiment, report, better, baseline):
-    """(experiment, model) as the first verdict says that they are."""
-    model = better or baseline
-    offsets, experiment = {}, json.loads(json.dumps(experiment))
+    """(experiment, model) as the first verdict says that they are: the model that it wrote, and the values that it fitted."""
+    offsets, experiment, model = {}, copy.deepcopy(experiment), copy.deepcopy(better or baseline)
     for name in report["verdict"].get("names", []):
         cause = next((c for c in report["causes"] if name in (c.get("name"), *c.get("names", []))), None)
         if not cause or cause["kind"] == "effect":
@@ -101,8 +101,10 @@ def believed(experiment, report, better, baseline):
         if cause["kind"] == "reference":
             per_setup = {s: v["value"] for s, v in cause.get("setups", {}).items()}
             offsets[name] = {"per_setup": per_setup} if per_setup else {"everywhere": number or 0.0}
-        elif name.startswith("/materials") and number is not None:
-            packages.put(experiment, name, number)
+        elif number is not None:
+            for document in (experiment, model):
+                if name.split("/")[1] in document:
+                    packages.put(document, name, number)
     return packages.displaced(experiment, offsets), model
 
 

@@ -173,7 +173,7 @@ def table(rows):
         ("expected calibration error of the confidence", "<= 0.04", number(ece, len(told))),
         ("processor time of a diagnosis in s, median", "", number(chance.median([r["elapsed_s"] for r in rows]), len(rows))),
         ("processor time of a diagnosis in s, longest", "", number(max((r["elapsed_s"] for r in rows), default=None), len(rows))),
-        ("memory of a diagnosis in MiB, most", "<= 2048", number(max((r["peak_mib"] or 0 for r in rows), default=None), len(rows))),
+        ("memory of a diagnosis in MiB, most", "<= 2048", number(max((r["peak_mib"] for r in rows if r["peak_mib"]), default=None), len(rows))),
         ("without a verdict (crash, time-out)", "0", rate(rows, lambda r: r["status"] != "done")),
     ]
 
