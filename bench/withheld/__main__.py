@@ -99,7 +99,10 @@ def at_once(title, jobs, function, tasks):
         futures = [pool.submit(function, *task) for task in tasks]
         try:
             for future in concurrent.futures.as_completed(futures):
-                result = future.result()
+                try:
+                    result = future.result()
+                except Exception as error:  # one case that breaks must not stop the others, nor go unseen
+                    result = None, f"FAILED: {error!r}"
                 progress.step(result[1])
                 yield result
         except KeyboardInterrupt:

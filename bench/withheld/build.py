@@ -74,7 +74,7 @@ def recalibrate(lab, cause):
     draft, pointer = lab.draft, lab.draft.hide_by
     part = packages.only(draft.experiment, {"calibration", "validation"})
     column = next(m["column"] for m in draft.experiment["measurands"] if m["name"] in ("epw", "intensity"))
-    mean = lambda tables: sum(sum(t[column]) for t in tables.values()) / max(1, sum(len(t[column]) for t in tables.values()))
+    mean = lambda tables: sum(sum(t.get(column, [])) for t in tables.values()) / max(1, sum(len(t["layer"]) for t in tables.values()))
     world, model = cases.truth_world(draft, cause)
     wanted = mean(lab.run(packages.only(world, {"calibration", "validation"}), model))
     document = draft.experiment if pointer.startswith("/materials") else draft.baseline

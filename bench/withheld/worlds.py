@@ -40,6 +40,8 @@ def simulate(experiment, model, seed, bin_folder, generator="own", after=None, k
             for table in tables.values():
                 after(table)
                 for column, step in resolution.items():
+                    if column not in table:
+                        continue
                     table[column] = [round(round(v / step) * step, 6) for v in table[column]]
         if keep:
             for sample in experiment["samples"]:

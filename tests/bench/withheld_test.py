@@ -65,6 +65,14 @@ class Distance(unittest.TestCase):
 
 
 class Worlds(unittest.TestCase):
+    def test_a_sample_without_detections_is_a_table_without_rows(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "none.csv"
+            path.write_text("frame,time_s,layer,azimuth_rad,elevation_rad,echo,range_m\n")
+            table = packages.read_table(path)
+            self.assertEqual((table["layer"], table["range_m"]), ([], []))
+            self.assertEqual(distance.existence({"layer": [1], "azimuth_rad": [0.0]}, table, 1), (0.0, 1.0))
+
     def test_an_offset_holds_in_its_setup_only(self):
         experiment = {"scene": [{"x": 1.0}], "samples": [
             {"id": "a", "patch": [{"op": "replace", "path": "/scene/0/x", "value": 5.0}]}, {"id": "b", "setup": "s", "patch": []}]}
