@@ -38,7 +38,8 @@ def simulate(experiment, model, seed, bin_folder, generator="own", after=None, k
         if after:
             resolution = {m["column"]: m["resolution"] for m in experiment["measurands"]}
             for table in tables.values():
-                after(table)
+                if table["layer"]:
+                    after(table)
                 for column, step in resolution.items():
                     if column not in table:
                         continue
