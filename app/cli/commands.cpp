@@ -5,6 +5,7 @@ namespace app {
 void addAcceptCommand(CLI::App& program, Session& session);
 void addCepraCommand(CLI::App& program, Session& session);
 void addConvertCommand(CLI::App& program, Session& session);
+void addDetectCommand(CLI::App& program, Session& session);
 void addEffectsCommand(CLI::App& program, Session& session);
 void addExplainCommand(CLI::App& program, Session& session);
 void addGapCommand(CLI::App& program, Session& session);
@@ -29,7 +30,7 @@ void addCommands(CLI::App& program, Session& session) {
       addImportCommand,   addCepraCommand,       addSpecCommand,     addAcceptCommand,  addMetricCommand,
       addValidityCommand, addPredictCommand,     addSimulateCommand, addExplainCommand, addObjectsCommand,
       addGapCommand,      addSensitivityCommand, addEffectsCommand,  addSensorsCommand, addMaterialsCommand,
-      addConvertCommand,  addScenesCommand,      addSceneCommand,
+      addConvertCommand,  addDetectCommand,      addScenesCommand,   addSceneCommand,
   };
   for (const AddCommand add : kCommands) {
     add(program, session);

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/effects_in_reflections.h"
 #include "model/simulate.h"
 #include "prediction/annotate.h"
 
@@ -17,6 +18,7 @@ struct Options {
   std::vector<std::string> predictions;
   prediction::AnnotateOptions annotate;
   std::string bounds = "confidence";
+  model::PackageReflections reflections;
 };
 
 prediction::Annotation annotationOf(const Options& options, const model::Experiment& experiment) {
@@ -40,11 +42,13 @@ void runSimulate(const Options& options, const Session& session) {
   const model::LidarModel lidar = model::readModel(options.model);
   const prediction::Annotation annotation = annotationOf(options, experiment);
   std::vector<prediction::AnnotatedCounts> counts;
-  model::simulatePackage(experiment, lidar, options.out, session.seed, session.progress,
-                         [&](const std::filesystem::path& folder) { counts = annotation.apply(folder); });
+  model::simulatePackage(
+      experiment, lidar, options.out, session.seed, session.progress,
+      [&](const std::filesystem::path& folder) { counts = annotation.apply(folder); }, options.reflections);
   if (session.quiet) return;
   session.messages << "simulated " << experiment.samples.size() << " samples of '" << experiment.id << "' into "
                    << options.out << "\n";
+  if (!options.reflections.from.empty()) writeEffectsInReflections(lidar, session.messages);
   writeCounts(counts, session.messages);
 }
 
@@ -54,8 +58,16 @@ const char* const kFooter =
     "samples, 1: a parameter beyond them, 2: no sample near the combination, 3: the point is not known, nothing is\n"
     "predicted). A parameter is looked up among the samples' parameters, then the detection's own values (range_m,\n"
     "azimuth_deg, layer …), then the environment; one place for the whole package.\n\n"
+    "With --reflections each sample gets reflections/ID.osi besides: an ASAM OSI 3 trace of SensorView with what "
+    "every\n"
+    "sub-ray brought back, to feed a reflection-based lidar model elsewhere. With --from-reflections such traces, "
+    "from\n"
+    "wherever they come, take the place of the own ones; what they hold is received by the sensor as if it were its\n"
+    "own. Effects that change the power of a reflection are then left out: they are in the signal strengths.\n\n"
     "Examples:\n"
     "  fidelis simulate range-sweep --model model.json --out simulated\n"
+    "  fidelis simulate range-sweep --model model.json --reflections --out simulated\n"
+    "  fidelis simulate range-sweep --model model.json --from-reflections traces --out received\n"
     "  fidelis simulate range-sweep --model model.json --prediction prediction.json --out simulated\n"
     "  fidelis simulate crossing --model model.json --prediction prediction.json --coordinate range_m=detection \\\n"
     "      --out simulated";
@@ -82,6 +94,16 @@ void addPrediction(CLI::App& command, Options& options) {
       ->capture_default_str();
 }
 
+void addReflections(CLI::App& command, Options& options) {
+  CLI::Option* write = command.add_flag("--reflections", options.reflections.write,
+                                        "Write the sub-rays' reflections too, as ASAM OSI 3 traces of SensorView");
+  command
+      .add_option("--from-reflections", options.reflections.from,
+                  "Take the reflections from here: a folder with ID.osi for each sample, a package that was written "
+                  "with --reflections, or the trace of the only sample")
+      ->excludes(write);
+}
+
 }  // namespace
 
 void addSimulateCommand(CLI::App& program, Session& session) {
@@ -93,6 +115,7 @@ void addSimulateCommand(CLI::App& program, Session& session) {
   command->add_option("--out", options->out, "New folder that becomes an experiment package: same files, simulated")
       ->required();
   addPrediction(*command, *options);
+  addReflections(*command, *options);
   command->footer(kFooter);
   command->callback([options, &session] { runSimulate(*options, session); });
 }

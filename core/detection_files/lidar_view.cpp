@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 
 #include "core/detection_files/osi_trace.h"
@@ -32,6 +33,9 @@ Place placeOf(const OsiTrace& trace, std::size_t message, int ray) {
   return place;
 }
 
+/// Asked for only where something is wrong: there are millions of rays.
+using PlaceOfRay = std::function<Place()>;
+
 /// The one lidar of a message; nullptr if there is none.
 const osi3::LidarSensorView* lidarOf(const osi3::SensorView& view, const Place& place) {
   if (view.lidar_sensor_view_size() > 1) {
@@ -40,20 +44,33 @@ const osi3::LidarSensorView* lidarOf(const osi3::SensorView& view, const Place& 
   return view.lidar_sensor_view_size() == 1 ? &view.lidar_sensor_view(0) : nullptr;
 }
 
-LidarReflection reflectionOf(const osi3::LidarSensorView::Reflection& from, const osi3::Vector3d& direction,
-                             const Place& place) {
+std::array<double, 3> directionOf(const osi3::Vector3d& from, const PlaceOfRay& place) {
+  std::array<double, 3> to = toArray(from);
+  const double length = std::hypot(to[0], to[1], to[2]);
+  if (!std::isfinite(length) || length == 0.0) {
+    throw InputError(place(), "has a direction without length, or with a number that is not finite.",
+                     "Write a unit vector in view_configuration.directions.");
+  }
+  for (double& part : to) part /= length;
+  return to;
+}
+
+LidarReflection reflectionOf(const osi3::LidarSensorView::Reflection& from, int ray, const PlaceOfRay& place) {
   LidarReflection to;
-  to.direction = toArray(direction);
-  const double length = std::hypot(to.direction[0], to.direction[1], to.direction[2]);
+  to.ray = static_cast<std::size_t>(ray);
   to.signal_strength_db = from.signal_strength();
   to.time_of_flight_s = from.time_of_flight();
-  to.doppler_shift_hz = from.doppler_shift();
-  if (!std::isfinite(length + to.signal_strength_db + to.time_of_flight_s + to.doppler_shift_hz) || length == 0.0) {
-    throw InputError(place, "holds a number that is not finite, or a direction without length.",
-                     "Leave the fields of a ray without a hit unset.");
+  if (from.has_doppler_shift()) to.doppler_shift_hz = from.doppler_shift();
+  const osi3::Vector3d& normal = from.normal_to_surface();
+  if (!std::isfinite(to.signal_strength_db + to.time_of_flight_s + from.doppler_shift() + normal.x() + normal.y() +
+                     normal.z())) {
+    throw InputError(place(), "holds a number that is not finite.", "Leave the fields of a ray without a hit unset.");
   }
-  for (double& part : to.direction) part /= length;
-  if (from.has_normal_to_surface()) to.surface_normal = toArray(from.normal_to_surface());
+  if (to.time_of_flight_s < 0.0) {
+    throw InputError(place(), fmt::format("has a time of flight of {:g} s.", to.time_of_flight_s),
+                     "Write the time out and back, or leave the fields of a ray without a hit unset.");
+  }
+  if (from.has_normal_to_surface()) to.surface_normal = toArray(normal);
   if (from.has_object_id()) to.object = from.object_id().value();
   return to;
 }
@@ -75,11 +92,18 @@ LidarSensorView viewOf(const OsiTrace& trace, std::size_t message, const osi3::L
   LidarSensorView view;
   if (configuration.has_emitter_frequency()) view.emitter_frequency_hz = configuration.emitter_frequency();
   for (int i = 0; i < lidar.reflection_size(); ++i) {
-    if (!isHit(lidar.reflection(i))) continue;
-    view.reflections.push_back(
-        reflectionOf(lidar.reflection(i), configuration.directions(i), placeOf(trace, message, i)));
+    const auto place = [&] { return placeOf(trace, message, i); };
+    view.directions.push_back(directionOf(configuration.directions(i), place));
+    if (isHit(lidar.reflection(i))) view.reflections.push_back(reflectionOf(lidar.reflection(i), i, place));
   }
   return view;
+}
+
+/// A message of protocol buffers holds less than 2 GB. Bytes of a direction, and of a whole reflection at most.
+bool fitsIntoMessage(const LidarSensorView& view) {
+  constexpr std::size_t kBytesPerRay = 31, kBytesPerReflection = 70;
+  return view.directions.size() * kBytesPerRay + view.reflections.size() * kBytesPerReflection <
+         static_cast<std::size_t>(std::numeric_limits<int>::max());
 }
 
 osi3::SensorView messageOf(const LidarSensorView& view) {
@@ -96,14 +120,17 @@ osi3::SensorView messageOf(const LidarSensorView& view) {
   osi3::LidarSensorView& lidar = *message.add_lidar_sensor_view();
   osi3::LidarSensorViewConfiguration& configuration = *lidar.mutable_view_configuration();
   configuration.mutable_sensor_id()->set_value(kSensor);
-  configuration.set_num_of_pixels(static_cast<std::uint32_t>(view.reflections.size()));
+  configuration.set_num_of_pixels(static_cast<std::uint32_t>(view.directions.size()));
   if (view.emitter_frequency_hz) configuration.set_emitter_frequency(*view.emitter_frequency_hz);
+  for (const std::array<double, 3>& direction : view.directions) {
+    fill(direction, *configuration.add_directions());
+    (void)lidar.add_reflection();  // one a ray; it stays empty if nothing was met
+  }
   for (const LidarReflection& from : view.reflections) {
-    fill(from.direction, *configuration.add_directions());
-    osi3::LidarSensorView::Reflection& to = *lidar.add_reflection();
+    osi3::LidarSensorView::Reflection& to = *lidar.mutable_reflection(static_cast<int>(from.ray));
     to.set_signal_strength(from.signal_strength_db);
     to.set_time_of_flight(from.time_of_flight_s);
-    to.set_doppler_shift(from.doppler_shift_hz);
+    if (from.doppler_shift_hz) to.set_doppler_shift(*from.doppler_shift_hz);
     if (from.surface_normal) fill(*from.surface_normal, *to.mutable_normal_to_surface());
     if (from.object) to.mutable_object_id()->set_value(*from.object);
   }
@@ -145,7 +172,15 @@ std::vector<LidarSensorView> readLidarSensorViews(const std::filesystem::path& f
 
 void writeLidarSensorViews(const std::filesystem::path& file, std::span<const LidarSensorView> views) {
   std::string trace;
-  for (const LidarSensorView& view : views) appendOsiMessage(trace, messageOf(view).SerializeAsString());
+  for (const LidarSensorView& view : views) {
+    if (!fitsIntoMessage(view)) {
+      throw InputError({.file = file},
+                       fmt::format("would need more than 2 GB for the {} rays of a message, the most that one holds.",
+                                   view.directions.size()),
+                       "Take fewer rays_per_beam, or fewer beams.");
+    }
+    appendOsiMessage(trace, messageOf(view).SerializeAsString());
+  }
   writeFile(file, trace);
 }
 
@@ -153,7 +188,7 @@ Detections pointsOf(std::span<const LidarSensorView> views) {
   Detections points;
   for (std::size_t frame = 0; frame < views.size(); ++frame) {
     for (const LidarReflection& reflection : views[frame].reflections) {
-      const auto& [x, y, z] = reflection.direction;
+      const auto& [x, y, z] = views[frame].directions[reflection.ray];
       points.frame.push_back(static_cast<std::int32_t>(frame));
       points.echo.push_back(1);
       points.range_m.push_back(kSpeedOfLight_m_s / 2.0 * reflection.time_of_flight_s);

@@ -78,13 +78,17 @@ struct SecondHit {
   std::size_t turn_count = 0;
 };
 
-/// Everything that the signal pass needs of the geometry: no material, no power, so hypotheses share it.
+/// Everything that the signal pass needs of the geometry: no material, no power, so hypotheses share it (but for hits
+/// from elsewhere, see model/reflections.h).
 struct BeamHits {
   std::vector<Beam> beams;
   SubRays rays;
   Hits hits;
   std::vector<SecondHit> second;            ///< beam by beam
   std::vector<std::uint32_t> first_second;  ///< like Hits::first; empty if none were asked for
+  /// Received peak powers of hits and second hits that are known from elsewhere; empty: the laser radar equation. [W]
+  std::vector<double> power_w;
+  std::vector<double> second_power_w;
 
   [[nodiscard]] HitsOfBeam of(std::size_t beam) const { return {hits, beam}; }
   [[nodiscard]] std::span<const SecondHit> secondOf(std::size_t beam) const {

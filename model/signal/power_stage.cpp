@@ -16,7 +16,7 @@ void pulsePerObject(const TracedBeams& traced, std::size_t beam, std::span<const
   const std::size_t before = out.size();
   for (std::size_t i = begin; i < end; ++i) {
     const std::int32_t object = traced.hits.object[i];
-    std::size_t known = 0;
+    std::size_t known = object < 0 ? objects.size() : 0;  // hits from elsewhere may not know what they are of
     while (known < objects.size() && objects[known] != object) ++known;
     if (known == objects.size()) {
       objects.push_back(object);
@@ -88,6 +88,10 @@ void PowerStage::powersOf(const TracedBeams& traced, std::vector<double>& power_
   const Hits& hits = traced.hits;
   const std::size_t begin = hits.first[traced.first_beam], end = hits.first[traced.first_beam + traced.beams.size()];
   power_w.resize(end - begin);
+  if (!traced.power_w.empty()) {
+    std::copy_n(traced.power_w.begin() + static_cast<std::ptrdiff_t>(begin), end - begin, power_w.begin());
+    return;
+  }
   for (std::size_t b = 0; b < traced.beams.size(); ++b) {
     const double constant_w_m2 = constant_w_m2_ * traced.beams[b].gain;
     for (std::size_t i = hits.first[traced.first_beam + b]; i < hits.first[traced.first_beam + b + 1]; ++i) {
@@ -149,8 +153,11 @@ void PowerStage::receiveOtherwise(const TracedBeams& traced, std::size_t b, Scra
   const auto begin = out.pulses.begin() + static_cast<std::ptrdiff_t>(out.first.back());
   pulses.assign(begin, out.pulses.end());
   out.pulses.erase(begin, out.pulses.end());
-  for (const SecondHit& second : traced.secondOf(b)) {
-    pulses.push_back({second.hit.range_m, powerOf(traced.beams[b], traced.rays, second)});
+  const std::span<const SecondHit> of_beam = traced.secondOf(b);
+  for (std::size_t i = 0; i < of_beam.size(); ++i) {
+    const double power_w = traced.second_power_w.empty() ? powerOf(traced.beams[b], traced.rays, of_beam[i])
+                                                         : traced.second_power_w[traced.first_second[b] + i];
+    pulses.push_back({of_beam[i].hit.range_m, power_w});
   }
   const HitsOfBeam hits = traced.hitsOf(b);
   for (const Effect* effect : pulse_effects_) {

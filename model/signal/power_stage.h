@@ -15,6 +15,8 @@ struct TracedBeams {
   std::size_t first_beam;  ///< index of beams[0] in hits.first
   std::span<const SecondHit> second;
   std::span<const std::uint32_t> first_second;  ///< of beams[0] …; empty if there are none
+  std::span<const double> power_w = {};         ///< of all `hits` and of `second`, if known from elsewhere (BeamHits)
+  std::span<const double> second_power_w = {};
 
   [[nodiscard]] HitsOfBeam hitsOf(std::size_t b) const { return {hits, first_beam + b}; }
   [[nodiscard]] std::span<const SecondHit> secondOf(std::size_t b) const {

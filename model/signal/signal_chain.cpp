@@ -63,7 +63,9 @@ TracedBeams someBeams(const BeamHits& geometry, std::size_t begin, std::size_t e
           geometry.hits,
           begin,
           geometry.second,
-          first_second.empty() ? first_second : first_second.subspan(begin)};
+          first_second.empty() ? first_second : first_second.subspan(begin),
+          geometry.power_w,
+          geometry.second_power_w};
 }
 
 TracedBeams oneBeam(const BeamHits& geometry, std::size_t beam) { return someBeams(geometry, beam, beam + 1); }
@@ -86,16 +88,17 @@ std::vector<Shot> joined(const std::vector<std::vector<Shot>>& pieces) {
 }
 
 /// Tiles came one after the other; the result goes frame by frame (a stable counting sort).
-std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, int frames) {
-  if (frames == 1) return joined(pieces);
-  std::vector<std::size_t> position(static_cast<std::size_t>(frames) + 1, 0);
+std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, const RunOptions& options) {
+  if (options.frames == 1) return joined(pieces);
+  const auto indexOf = [&](const Shot& shot) { return static_cast<std::size_t>(shot.frame - options.first_frame); };
+  std::vector<std::size_t> position(static_cast<std::size_t>(options.frames) + 1, 0);
   for (const auto& piece : pieces) {
-    for (const Shot& shot : piece) ++position[static_cast<std::size_t>(shot.frame) + 1];
+    for (const Shot& shot : piece) ++position[indexOf(shot) + 1];
   }
   for (std::size_t f = 1; f < position.size(); ++f) position[f] += position[f - 1];
   std::vector<Shot> shots(position.back());
   for (const auto& piece : pieces) {
-    for (const Shot& shot : piece) shots[position[static_cast<std::size_t>(shot.frame)]++] = shot;
+    for (const Shot& shot : piece) shots[position[indexOf(shot)]++] = shot;
   }
   return shots;
 }
@@ -331,7 +334,7 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratc
     scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
     if (scratch.parts.empty() && reporting_effects_.empty()) return;
   }
-  for (int frame = 0; frame < options.frames; ++frame) {
+  for (int frame = options.first_frame; frame < options.first_frame + options.frames; ++frame) {
     fireShot(beam, receiver, keyOf(options, frame, beam.index), scratch, nullptr);
     std::int32_t number = 0;
     for (const Echo& echo : scratch.echoes) {
@@ -346,7 +349,7 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
   LonePulses& lone = scratch.lone;
   out.reserve(out.size() + lone.size() * static_cast<std::size_t>(options.frames));
   scratch.gain.assign(lone.size(), 1.0);
-  for (int frame = 0; frame < options.frames; ++frame) {
+  for (int frame = options.first_frame; frame < options.first_frame + options.frames; ++frame) {
     const core::Random::Key key = keyOf(options, frame, 0);
     for (std::size_t i = 0; i < lone.size() && !fluctuating_effects_.empty(); ++i) {
       core::Random::Key shot = key;
@@ -408,7 +411,7 @@ std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene,
     power.receive(traced, scratch.power, scratch.pulses);
     fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
   });
-  return frameByFrame(pieces, options.frames);
+  return frameByFrame(pieces, options);
 }
 
 std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene, const RunOptions& options) const {
@@ -426,7 +429,7 @@ std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene,
     }
     fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
   });
-  return frameByFrame(pieces, options.frames);
+  return frameByFrame(pieces, options);
 }
 
 Pulses SignalChain::coupledPulses(const BeamHits& geometry, const PowerStage& power) const {

@@ -29,6 +29,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::uint32_t sample = 0;  ///< tells the random streams of samples apart
   int frames = 1;
+  int first_frame = 0;
 };
 
 /// What happened in one shot besides its echoes; written down on demand.

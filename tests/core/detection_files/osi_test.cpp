@@ -84,15 +84,17 @@ TEST(OsiReflections, AreReadByTheFieldNumbersOfTheStandard) {
   EXPECT_EQ(views[0].emitter_frequency_hz, 3.3e14);
   ASSERT_EQ(views[0].reflections.size(), 2u);  // the ray between them hit nothing
   const LidarReflection& first = views[0].reflections[0];
-  EXPECT_NEAR(first.direction[0], 0.6, 1e-15);
-  EXPECT_NEAR(first.direction[1], 0.8, 1e-15);
+  EXPECT_NEAR(views[0].directions[first.ray][0], 0.6, 1e-15);
+  EXPECT_NEAR(views[0].directions[first.ray][1], 0.8, 1e-15);
+  EXPECT_EQ(views[0].directions.size(), 3u);
+  EXPECT_EQ(views[0].reflections[1].ray, 2u);
   EXPECT_EQ(first.signal_strength_db, -80.5);
   EXPECT_NEAR(first.time_of_flight_s * kSpeedOfLight_m_s / 2, 5.0, 1e-12);
   EXPECT_EQ(first.doppler_shift_hz, -4.0);
   EXPECT_EQ(*first.surface_normal, (std::array<double, 3>{-1, 0, 0}));
   EXPECT_EQ(*first.object, ~std::uint64_t{0});
   ASSERT_EQ(views[1].reflections.size(), 1u);  // directions of the first message hold on
-  EXPECT_NEAR(views[1].reflections[0].direction[2], 2.0 / 3.0, 1e-15);
+  EXPECT_NEAR(views[1].directions[views[1].reflections[0].ray][2], 2.0 / 3.0, 1e-15);
 }
 
 TEST(OsiReflections, RoundTripAndPoints) {
@@ -104,8 +106,10 @@ TEST(OsiReflections, RoundTripAndPoints) {
   for (std::size_t v = 0; v < views.size(); ++v) {
     EXPECT_EQ(again[v].time_s, views[v].time_s);
     EXPECT_EQ(again[v].emitter_frequency_hz, views[v].emitter_frequency_hz);
+    EXPECT_EQ(again[v].directions.size(), views[v].directions.size());  // of rays that met nothing, too
     ASSERT_EQ(again[v].reflections.size(), views[v].reflections.size());
     for (std::size_t i = 0; i < views[v].reflections.size(); ++i) {
+      EXPECT_EQ(again[v].reflections[i].ray, views[v].reflections[i].ray);
       EXPECT_EQ(again[v].reflections[i].signal_strength_db, views[v].reflections[i].signal_strength_db);
       EXPECT_EQ(again[v].reflections[i].time_of_flight_s, views[v].reflections[i].time_of_flight_s);
       EXPECT_EQ(again[v].reflections[i].object, views[v].reflections[i].object);

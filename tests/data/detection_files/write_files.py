@@ -183,6 +183,26 @@ def write_osi():
     )
 
 
+def write_fan():
+    """Two rays each of three beams at 1, 0 and -1 degree, from the right to the left; their powers add up to 100 nW of
+    75 W. No normals, no objects, no version 3.7; the ray between the beams and the second message's beam ahead met
+    nothing."""
+    azimuths = [math.radians(d) for d in (-1, -1, -0.5, 0, 0, 1, 1)]
+    directions = [message(11, real(1, math.cos(a)), real(2, math.sin(a)), real(3, 0.0)) for a in azimuths]
+    decibel = 10.0 * math.log10(50e-9 / 75.0)
+
+    def ray(range_m):
+        return message(2, real(1, decibel), real(2, 2.0 * range_m / 299792458.0)) if range_m else message(2)
+
+    def view(nanos, ranges, configuration=b""):
+        return version() + stamp(2, nanos) + message(1002, configuration, *(ray(r) for r in ranges))
+
+    (HERE / "fan.osi").write_bytes(trace(
+        view(0, (20, 20, None, 30, 30, 40, 40), message(1, *directions)),
+        view(100, (21, 21, None, None, None, 41, 41))))
+
+
 write_pcd()
 write_ply()
 write_osi()
+write_fan()
