@@ -48,9 +48,9 @@ void Echoes::blindAfterEcho(std::vector<Waveform::Stretch>& stretches) const {
   const double blind_ns = effects_.number("dead-time", "dead_time_ns", 1.0);
   double ready_ns = -1e300;
   std::erase_if(stretches, [&](const Waveform::Stretch& stretch) {
-    if (stretch.rise_ns < ready_ns) return true;
-    ready_ns = stretch.fall_ns + blind_ns;
-    return false;
+    const bool blind = stretch.rise_ns < ready_ns;
+    ready_ns = stretch.rise_ns + blind_ns;  // also by one that is not seen
+    return blind;
   });
 }
 
@@ -64,7 +64,7 @@ double Echoes::rangeOf(const Waveform::Stretch& stretch, double threshold_w) con
   const auto coefficient = effects_.number(walk, "coefficient_m"), snr = effects_.number(walk, "calibrated_at_snr");
   if (coefficient) {
     const double over = std::max(1.0, stretch.peak_w / threshold_w);
-    return by_mode + *coefficient * (1.0 / over - (snr ? 1.0 / *snr : 0.0));
+    return by_mode + *coefficient / over;
   }
   return metres(stretch.rise_ns) + (snr ? metres(pulse_.riseFrom(*snr)) : 0.0);
 }

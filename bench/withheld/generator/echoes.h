@@ -17,7 +17,7 @@ struct Detection {
 /// the time base, noise of the outputs, gate, counters.
 ///
 /// - clock drift: a slow clock counts too few ticks, r/(1 − s), and widths are counted by the same clock;
-/// - dead time counts from the falling edge of the last echo that was seen (non-paralysable: Knoll 2010, ch. 4);
+/// - dead time counts from the front of the last echo, seen or not (paralysable: Knoll 2010, ch. 4);
 /// - counters: the width is the difference of two quantised times, not a quantised width.
 /// Effects that the library does not have ("x-…") are here too, but for x-gain-ramp (receiver.h).
 class Echoes {

@@ -11,8 +11,10 @@ namespace withheld {
 namespace {
 
 constexpr double kAny = 1e12;
-// Bounds of what is no single number.
-constexpr double kNone = 1.0, kNoneHigh = 0.0;
+
+Parameter place(const char* name) { return {name, 0, 0, Parameter::Kind::place}; }
+Parameter list(const char* name) { return {name, 0, 0, Parameter::Kind::list}; }
+Parameter law(const char* name) { return {name, 0, 0, Parameter::Kind::law}; }
 
 std::vector<std::string> namesOf(const EffectEntry& entry) {
   std::vector<std::string> names;
@@ -31,8 +33,12 @@ const EffectEntry& entryOf(const std::string& name, const std::string& place) {
 }
 
 void checkBounds(const Parameter& parameter, const Fields& fields) {
-  const Json* value = fields.find(parameter.name);
-  if (!value || parameter.low > parameter.high) return;
+  using Kind = Parameter::Kind;
+  if (!fields.find(parameter.name)) return;
+  if (parameter.kind == Kind::law) (void)fields.oneOf(parameter.name, {"lambertian", "oren-nayar", "phong"}, "");
+  if (parameter.kind == Kind::place) (void)fields.numbers(parameter.name, 3);
+  if (parameter.kind == Kind::list) (void)fields.numbers(parameter.name);
+  if (parameter.kind != Kind::number) return;
   const double number = fields.number(parameter.name);
   if (number < parameter.low || number > parameter.high) {
     throw BadInput(fields.placeOf(parameter.name),
@@ -49,8 +55,7 @@ const std::vector<EffectEntry>& allEffects() {
       {"beam-divergence", {{"horizontal_rad", 0, 0.2}, {"vertical_rad", 0, 0.2}}},
       {"aperture-offset", {{"offset_m", 0, 0.1}}},
       {"stray-radiation", {{"fraction", 0, 0.01}, {"half_angle_rad", 0.002, 0.1}}},
-      {"mounting-error",
-       {{"yaw_deg", -5, 5}, {"pitch_deg", -5, 5}, {"roll_deg", -5, 5}, {"position_m", kNone, kNoneHigh}}},
+      {"mounting-error", {{"yaw_deg", -5, 5}, {"pitch_deg", -5, 5}, {"roll_deg", -5, 5}, place("position_m")}},
       {"pulse-jitter", {{"duration_stddev_ns", 0, 1}, {"power_stddev", 0, 0.2}}},
       // propagation
       {"atmospheric-attenuation",
@@ -64,8 +69,7 @@ const std::vector<EffectEntry>& allEffects() {
         {"plume_height_m", 0.2, 5},
         {"extinction_1_m", 0.001, 1},
         {"least_speed_m_s", 1, 25}}},
-      {"exhaust-cloud",
-       {{"extinction_1_m", 0, 10}, {"size_m", 0.1, 10}, {"albedo", 0, 1}, {"centre", kNone, kNoneHigh}}},
+      {"exhaust-cloud", {{"extinction_1_m", 0, 10}, {"size_m", 0.1, 10}, {"albedo", 0, 1}, place("centre")}},
       {"crosstalk", {{"rate_1_s", 0, 1e6}}},
       {"spoofing",
        {{"azimuth_deg", -180, 180}, {"range_m", 0, 300}, {"width_deg", 0.01, 360}, {"power_w", 1e-10, 1e-3}}},
@@ -76,7 +80,7 @@ const std::vector<EffectEntry>& allEffects() {
         {"saturation_irradiance", 0.01, 1000}}},
       // interaction
       {"angular-reflection",
-       {{"roughness_rad", 0, 1.6}, {"diffuse_fraction", 0, 1}, {"exponent", 1, 1000}, {"model", kNone, kNoneHigh}}},
+       {{"roughness_rad", 0, 1.6}, {"diffuse_fraction", 0, 1}, {"exponent", 1, 1000}, law("model")}},
       {"surface-moisture", {{"wetness", 0, 1}}},
       {"retroreflection", {{"gain", 10, 1e5}, {"half_width_rad", 0.01, 1.5}}},
       {"transmission", {{"transmission", 0, 1}, {"refractive_index", 1, 4}}},
@@ -86,7 +90,7 @@ const std::vector<EffectEntry>& allEffects() {
       {"motion-scan", {{"ego_speed_m_s", -80, 80}}},
       // reception
       {"cover-contamination", {{"attenuation", 0, 1}, {"azimuth_from_deg", -180, 180}, {"azimuth_to_deg", -180, 180}}},
-      {"photo-response-nonuniformity", {{"stddev", 0, 0.5}, {"pattern", 0, 1e6}, {"gain_per_layer", kNone, kNoneHigh}}},
+      {"photo-response-nonuniformity", {{"stddev", 0, 0.5}, {"pattern", 0, 1e6}, list("gain_per_layer")}},
       {"background-light",
        {{"irradiance_w_m2_nm", 0, 1}, {"sun_azimuth_deg", -180, 180}, {"sun_elevation_deg", -90, 90}}},
       {"thermal-noise", {{"temperature_degC", -40, 85}, {"dark_share", 0, 1}}},
@@ -118,6 +122,7 @@ const std::vector<EffectEntry>& allEffects() {
       {"x-range-scatter", {{"per_metre", 0, 1}}},
       {"x-warm-up", {{"range_m", -kAny, kAny}, {"frames", 1e-3, kAny}}},
       {"x-layer-range", {{"amplitude_m", -kAny, kAny}}},
+      {"x-noise-echoes", {}},
   };
   return all;
 }

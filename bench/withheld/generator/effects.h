@@ -9,10 +9,12 @@
 
 namespace withheld {
 
-/// A parameter of an effect: a number with its bounds, or (low > high) something else: a list or a text.
+/// A parameter of an effect: a number with its bounds, three coordinates, a list of numbers, or a law of reflection.
 struct Parameter {
+  enum class Kind { number, place, list, law };
   std::string name;
   double low, high;
+  Kind kind = Kind::number;
 };
 
 /// The list to read to see what this world can do. Names and parameters are those of the effect library; names that

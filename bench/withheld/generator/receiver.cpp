@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kPlanckTimesC_Wsm = 1.98644586e-25;
-constexpr double kFilter_nm = 30.0, kExcessNoise = 4.0;
+constexpr double kFilter_nm = 12.0, kExcessNoise = 3.0;
+constexpr double kOnUprightSurface = 1.0 / 3.0;  // of the irradiance of level ground
 
 // 0 outside, 1 inside an interval of angles [deg], linear over a quarter of a degree at its ends.
 double softSector(double at, double from, double to) {
@@ -92,12 +93,12 @@ double Receiver::shotVariance(double light_w) const {
 double Receiver::backgroundLight_w(const Beam& beam, double reflectivity) const {
   const std::string name = "background-light";
   const double irradiance = effects_.number(name, "irradiance_w_m2_nm", environment_.irradiance_w_m2_nm.value_or(0.0));
-  double radiance = irradiance * reflectivity / kPi;
+  double radiance = kOnUprightSurface * irradiance * reflectivity / kPi;
   const auto height = effects_.number(name, "sun_elevation_deg");
   if (height && *height > 0.0) {
     const Vec sun = direction(effects_.number(name, "sun_azimuth_deg", 0.0) * kDegree, *height * kDegree);
     const double away = std::acos(std::clamp(dot(sun, direction(beam.azimuth_rad, beam.elevation_rad)), -1.0, 1.0));
-    radiance += 3.0 * irradiance * std::exp(-away / (6.0 * kDegree));
+    radiance += irradiance * std::exp(-away / (6.0 * kDegree));
   }
   const double area_m2 = kPi / 4.0 * profile_.aperture_m * profile_.aperture_m;
   return radiance * kFilter_nm * area_m2 * profile_.efficiency * profile_.fov_h_rad * profile_.fov_v_rad;
@@ -126,8 +127,7 @@ double Receiver::threshold_w(double range_m, double noise_w) const {
 }
 
 double Receiver::noiseEchoes(double noise_w) const {
-  if (!effects_.on("thermal-noise") && !effects_.on("background-light") && !effects_.on("dynamic-threshold"))
-    return 0.0;
+  if (!effects_.on("x-noise-echoes")) return 0.0;
   const auto rate = [&](double sigma, double threshold) {
     return sigma > 0.0 ? std::exp(-0.5 * threshold * threshold / (sigma * sigma)) : 0.0;
   };

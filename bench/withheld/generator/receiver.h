@@ -14,11 +14,12 @@ namespace withheld {
 /// doi:10.1364/AO.44.001323);
 /// - thermal noise: dark current of a silicon junction, T^1.5 exp(-Eg/2kT) (Sze & Ng 2007, ch. 2), whose root is the
 /// noise;
-/// - background: shot noise of the light that the lit surface in view sends through a filter of 30 nm, excess noise
-/// factor 4
-///   (Gagliardi & Karp 1995, ch. 4); within some degrees of the sun its aureole adds;
+/// - background: shot noise of the light that the surface in view sends through a filter of 12 nm, excess noise factor
+/// 3
+///   (Gagliardi & Karp 1995, ch. 4); near the sun its aureole adds;
 /// - blinding: the gain falls with the foreign light, and its shot noise adds;
-/// - noise that was raised crosses the threshold at Rice's rate B/√3 exp(-thr²/2σ²) (Rice 1945, sec. 3.6).
+/// - with x-noise-echoes, noise that was raised crosses the threshold at Rice's rate B/√3 exp(-thr²/2σ²) (Rice 1945,
+///   sec. 3.6); without it, as in the reference signal chain, noise alone is never an echo.
 class Receiver {
  public:
   Receiver(const Profile& profile, const Effects& effects, const Environment& environment, std::uint64_t seed);
