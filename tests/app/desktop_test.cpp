@@ -14,7 +14,9 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "app/desktop/cepra_page.h"
 #include "app/desktop/cloud/cloud_page.h"
@@ -398,6 +400,21 @@ class DesktopCloud : public Desktop {
   }
   desktop::CloudPage& page() { return window_->cloudPage(); }
   desktop::CloudView& view() { return page().view(); }
+  bool read() {
+    return QTest::qWaitFor([this] { return !page().isLoading(); }, 60'000);
+  }
+  bool open(const std::filesystem::path& file) { return page().openExperiment(file) && read(); }
+  /// Of the shown detections' places, in shares of the window: how far the farthest is from the middle, 1 at the edge.
+  double farthestOut() {
+    double farthest = 0.0;
+    const auto* cloud = page().cloud(desktop::CloudSource::Measured);
+    for (std::size_t i = 0; cloud && i < cloud->size(); ++i) {
+      const QPointF at = view().placeOf({desktop::CloudSource::Measured, i});
+      farthest = std::max(
+          {farthest, std::abs(2.0 * at.x() / view().width() - 1.0), std::abs(2.0 * at.y() / view().height() - 1.0)});
+    }
+    return farthest;
+  }
   void simulate() {
     QSignalSpy finished(&page().runner(), &desktop::SimulationRunner::finished);
     page().simulate();
@@ -409,8 +426,9 @@ class DesktopCloud : public Desktop {
 };
 
 TEST_F(DesktopCloud, OffersTheExperimentsOfTheProjectAndOpensOthers) {
+  ASSERT_TRUE(read());
   EXPECT_NE(page().cloud(desktop::CloudSource::Measured), nullptr);  // the first test's
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   const model::Experiment street = model::readExperiment(folder_ / "street");
   EXPECT_EQ(page().cloud(desktop::CloudSource::Measured)->size(),
             model::readMeasurements(street, street.samples[0]).size());
@@ -418,7 +436,7 @@ TEST_F(DesktopCloud, OffersTheExperimentsOfTheProjectAndOpensOthers) {
 }
 
 TEST_F(DesktopCloud, AModelIsSimulatedInTheBackgroundAndLaidOverTheMeasurement) {
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   page().chooseModel(folder_ / "dry.json");
   simulate();
   const auto* simulated = page().cloud(desktop::CloudSource::Simulated);
@@ -430,7 +448,7 @@ TEST_F(DesktopCloud, AModelIsSimulatedInTheBackgroundAndLaidOverTheMeasurement) 
 }
 
 TEST_F(DesktopCloud, AClickOnAPointShowsItsValuesAndTheSameBeamOfTheOtherSide) {
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   page().chooseModel(folder_ / "dry.json");
   simulate();
   view().setVisible(desktop::CloudSource::Simulated, false);
@@ -452,9 +470,10 @@ TEST_F(DesktopCloud, AClickOnAPointShowsItsValuesAndTheSameBeamOfTheOtherSide) {
 }
 
 TEST_F(DesktopCloud, OneFrameAtATime) {
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   const auto frames = [this](int sample) {
     window_->findChild<QComboBox*>("cloudSamples")->setCurrentIndex(sample);
+    EXPECT_TRUE(read());
     return page().cloud(desktop::CloudSource::Measured);
   };
   const auto* cloud = frames(1);
@@ -465,7 +484,7 @@ TEST_F(DesktopCloud, OneFrameAtATime) {
 }
 
 TEST_F(DesktopCloud, ACancelledSimulationShowsNothing) {
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   page().chooseModel(folder_ / "dry.json");
   QSignalSpy cancelled(&page().runner(), &desktop::SimulationRunner::cancelled);
   page().simulate();
@@ -475,7 +494,7 @@ TEST_F(DesktopCloud, ACancelledSimulationShowsNothing) {
 }
 
 TEST_F(DesktopCloud, DraggingTurnsAndTheWheelZoomsAndFitComesBack) {
-  ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(open(folder_ / "street"));
   const desktop::PickedPoint point{desktop::CloudSource::Measured, 0};
   const QPointF before = view().placeOf(point);
   QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(200, 200));
@@ -488,8 +507,116 @@ TEST_F(DesktopCloud, DraggingTurnsAndTheWheelZoomsAndFitComesBack) {
   EXPECT_LT((view().placeOf(point) - before).manhattanLength(), 1);
 }
 
-TEST_F(DesktopCloud, PicturesOfTheStreet) {
+// Two beams on a wall 8 m away: a spot in the middle, neither two specks at the edge nor one point.
+TEST_F(DesktopCloud, ASampleOfFewPointsOpensFittedAndStaysSo) {
+  ASSERT_TRUE(open(folder_ / "foggy-sweep"));
+  const auto wellFramed = [this] { return farthestOut() > 0.1 && farthestOut() < 0.9; };
+  EXPECT_TRUE(wellFramed()) << farthestOut();
+  window_->resize(1000, 900);
+  desktop::settle(*window_);
+  EXPECT_TRUE(wellFramed()) << farthestOut();
+  QTest::keyClick(&view(), Qt::Key_Plus);
+  EXPECT_FALSE(view().isFitted());
+  window_->findChild<QComboBox*>("cloudSamples")->setCurrentIndex(2);
+  ASSERT_TRUE(read());
+  EXPECT_TRUE(view().isFitted());
+  EXPECT_TRUE(wellFramed()) << farthestOut();
+}
+
+TEST_F(DesktopCloud, ABrokenExperimentSaysWhereWhatAndWhatToDoInItsPlace) {
+  ASSERT_TRUE(open(folder_ / "street"));
+  const auto broken = folder_.write("broken/experiment.json", "{ \"format\": ");
+  EXPECT_FALSE(page().openExperiment(broken));
+  EXPECT_EQ(view().shownPoints(), 0u);
+  EXPECT_TRUE(view().message().contains("What to do"));
+  const QString text = child<QTextBrowser>("cloudValues")->toPlainText();
+  EXPECT_TRUE(text.contains("broken") && text.contains("Where")) << text.toStdString();
+  ASSERT_TRUE(open(folder_ / "street"));  // and all is well again
+  EXPECT_GT(view().shownPoints(), 0u);
+  EXPECT_TRUE(page().readoutText().isEmpty());
+}
+
+TEST_F(DesktopCloud, MeasurementsThatCannotBeReadAreSaidInTheirPlace) {
+  const model::Experiment street = model::readExperiment(folder_ / "street");
+  std::ofstream(street.samples[0].measurements) << "frame,range_m\n0,far\n";
   ASSERT_TRUE(page().openExperiment(folder_ / "street"));
+  ASSERT_TRUE(read());
+  EXPECT_EQ(view().shownPoints(), 0u);
+  EXPECT_TRUE(page().readoutText().contains("What to do")) << page().readoutText().toStdString();
+  EXPECT_TRUE(page().readoutText().contains(QString::fromStdString(street.samples[0].measurements.filename())));
+}
+
+TEST_F(DesktopCloud, AnExperimentWithoutMeasurementsSaysSoAndCanBeSimulated) {
+  ASSERT_TRUE(open(folder_ / "truth"));
+  EXPECT_EQ(view().shownPoints(), 0u);
+  EXPECT_TRUE(view().message().contains("Simulate"));
+  page().chooseModel(folder_ / "dry.json");
+  simulate();
+  EXPECT_GT(view().shownPoints(), 0u);
+}
+
+// Fired beams are detected or shown among those without detection: together they are all beams.
+TEST_F(DesktopCloud, EveryBeamWithoutDetectionIsShownAndSaysWhy) {
+  ASSERT_TRUE(open(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  simulate();
+  child<QCheckBox>("cloudSilent")->setChecked(true);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return page().cloud(desktop::CloudSource::Silent) != nullptr; }, 60'000));
+  const auto& silent = *page().cloud(desktop::CloudSource::Silent);
+  const auto& simulated = page().cloud(desktop::CloudSource::Simulated)->detections;
+  std::set<std::pair<int, long>> detected;
+  for (std::size_t i = 0; i < simulated.size(); ++i) {
+    detected.insert({simulated.layer[i], std::lround(1e6 * simulated.azimuth_rad[i])});
+  }
+  const model::Experiment street = model::readExperiment(folder_ / "street");
+  EXPECT_EQ(detected.size() + silent.size(), model::beamsFired(street, street.samples[0]).size());
+  view().pick(desktop::PickedPoint{desktop::CloudSource::Silent, silent.size() / 2});
+  EXPECT_TRUE(page().readoutText().contains("Reason\t"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().waveform().beam().has_value(); }, 60'000));
+  EXPECT_NE(page().waveform().beam()->reason, model::Reason::kDetected);
+  EXPECT_TRUE(page().readoutText().contains("Threshold")) << page().readoutText().toStdString();
+}
+
+TEST_F(DesktopCloud, KeysPickStepAndCopyTheValues) {
+  ASSERT_TRUE(open(folder_ / "street"));
+  QTest::keyClick(&view(), Qt::Key_N);
+  ASSERT_TRUE(view().picked());
+  EXPECT_EQ(view().picked()->index, 0u);
+  QTest::keyClick(&view(), Qt::Key_N);
+  EXPECT_EQ(view().picked()->index, 1u);
+  QTest::keyClick(&view(), Qt::Key_P);
+  EXPECT_EQ(view().picked()->index, 0u);
+  QTest::keyClick(&view(), Qt::Key_C, Qt::ControlModifier);
+  const double range = page().cloud(desktop::CloudSource::Measured)->detections.range_m[0];
+  EXPECT_TRUE(QApplication::clipboard()->text().contains("Range\t" + QString::number(range, 'f', 3) + " m"));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::keyClick(&view(), Qt::Key_Space);
+  EXPECT_TRUE(view().picked());
+}
+
+// The simulation that was stopped is waited for, then the new one comes.
+TEST_F(DesktopCloud, SimulatingAgainWhileTheOldOneStopsStartsWhenItHasStopped) {
+  ASSERT_TRUE(open(folder_ / "street"));
+  page().chooseModel(folder_ / "dry.json");
+  page().simulate();
+  page().cancel();
+  QSignalSpy finished(&page().runner(), &desktop::SimulationRunner::finished);
+  page().simulate();
+  ASSERT_TRUE(finished.wait(120'000));
+  EXPECT_NE(page().cloud(desktop::CloudSource::Simulated), nullptr);
+}
+
+TEST_F(DesktopCloud, AThumbingThroughSamplesEndsWithTheLast) {
+  ASSERT_TRUE(open(folder_ / "street"));
+  for (const int sample : {1, 0, 1, 0, 1}) window_->findChild<QComboBox*>("cloudSamples")->setCurrentIndex(sample);
+  ASSERT_TRUE(read());
+  const model::Experiment street = model::readExperiment(folder_ / "street");
+  EXPECT_EQ(page().cloud(desktop::CloudSource::Measured)->size(),
+            model::readMeasurements(street, street.samples[1]).size());
+}
+
+TEST_F(DesktopCloud, PicturesOfTheStreet) {
+  ASSERT_TRUE(open(folder_ / "street"));
   page().chooseModel(folder_ / "dry.json");
   simulate();
   const std::filesystem::path pictures = std::filesystem::path(FIDELIS_SCREENSHOTS) / "light";
@@ -508,6 +635,44 @@ TEST_F(DesktopCloud, PicturesOfTheStreet) {
   window_->findChild<QComboBox*>("cloudColour")->setCurrentIndex(int(desktop::ColourBy::Source));
   view().look(desktop::CloudView::Look::Top);
   shoot("point-cloud-top");
+}
+
+TEST_F(DesktopCloud, PicturesInLightAndDarkOfSmallAndLargeWindows) {
+  folder_.write("a folder with quite a long name, as they come from a measuring campaign/experiment.json", "[");
+  const std::filesystem::path pictures = std::filesystem::path(FIDELIS_SCREENSHOTS) / "point-cloud";
+  std::filesystem::create_directories(pictures);
+  for (const bool dark : {false, true}) {
+    QApplication::setPalette(dark ? desktop::darkPalette() : desktop::lightPalette());
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+      window_->resize(size);
+      const auto shoot = [&](const std::string& name) {
+        desktop::settle(*window_);
+        const std::string file = name + (dark ? "-dark-" : "-light-") + std::to_string(size.width()) + ".png";
+        EXPECT_TRUE(window_->grab().save(QString::fromStdString((pictures / file).string())));
+      };
+      ASSERT_TRUE(open(folder_ / "foggy-sweep"));
+      shoot("opening");
+      ASSERT_TRUE(open(folder_ / "street"));
+      page().chooseModel(folder_ / "dry.json");
+      simulate();
+      child<QComboBox>("cloudColour")->setCurrentIndex(int(desktop::ColourBy::Difference));
+      view().pick(desktop::PickedPoint{desktop::CloudSource::Measured, 5000});
+      ASSERT_TRUE(QTest::qWaitFor([&] { return page().waveform().beam().has_value(); }, 60'000));
+      shoot("beam");
+      child<QComboBox>("cloudColour")->setCurrentIndex(int(desktop::ColourBy::Source));
+      child<QCheckBox>("cloudSilent")->setChecked(true);
+      ASSERT_TRUE(QTest::qWaitFor([this] { return page().cloud(desktop::CloudSource::Silent) != nullptr; }, 60'000));
+      view().pick(desktop::PickedPoint{desktop::CloudSource::Silent, 0});
+      ASSERT_TRUE(QTest::qWaitFor([&] { return page().waveform().beam().has_value(); }, 60'000));
+      shoot("no-detection");
+      child<QCheckBox>("cloudSilent")->setChecked(false);
+      page().openExperiment(folder_ / "a folder with quite a long name, as they come from a measuring campaign" /
+                            "experiment.json");
+      shoot("error");
+      EXPECT_LE(window_->width(), size.width());  // nothing pushes the window apart
+    }
+  }
+  QApplication::setPalette(desktop::lightPalette());
 }
 
 // What the words say must be readable on what they stand on: WCAG 2.1 asks for 4.5 : 1.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/desktop/cloud/colour_scale.h"
+#include "app/desktop/cloud/readout.h"
 #include "app/desktop/colours.h"
 
 namespace {
@@ -76,6 +77,79 @@ TEST(PointCloud, SameBeamIsTheNearestOfTheLayerWithTheSameEcho) {
   EXPECT_FALSE(found->intensity_nw);
   picked.azimuth_rad = {0.1};  // more than half a degree from all
   EXPECT_FALSE(desktop::sameBeam(pointCloudOf(other), pointCloudOf(picked), 0));
+}
+
+// 180 degrees to the left is 180 degrees to the right: one beam, whichever sign a file writes.
+TEST(PointCloud, SameBeamIsFoundAcrossTheSeamBehindTheSensor) {
+  const double behind = std::numbers::pi - 1e-6;
+  core::Detections left{
+      .frame = {0}, .layer = {0}, .azimuth_rad = {behind}, .elevation_rad = {0}, .echo = {1}, .range_m = {5.0}};
+  core::Detections right = left;
+  right.azimuth_rad = {-behind};
+  right.range_m = {5.5};
+  const auto found = desktop::sameBeam(pointCloudOf(right), pointCloudOf(left), 0);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->range_m, 5.5);
+  EXPECT_DOUBLE_EQ(desktop::rangeDifferences(pointCloudOf(left), pointCloudOf(right)).at(0), 0.5);
+}
+
+// A file that knows no layers: the azimuth alone tells.
+TEST(PointCloud, WithoutLayersTheAzimuthTellsTheBeam) {
+  const core::Detections no_layer{
+      .frame = {0, 0}, .azimuth_rad = {0.0, 0.1}, .elevation_rad = {0, 0}, .echo = {1, 1}, .range_m = {5.0, 7.0}};
+  const auto found = desktop::sameBeam(pointCloudOf(no_layer), pointCloudOf(three()), 0);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->range_m, 5.0);
+}
+
+// The differences are those of sameBeam, which looks at every detection: same mates, same means.
+TEST(PointCloud, RangeDifferencesAreThoseOfTheSameBeams) {
+  core::Detections all{.frame = {}, .layer = {}, .azimuth_rad = {}, .elevation_rad = {}, .echo = {}, .range_m = {}};
+  for (int k = 0; k < 400; ++k) {
+    all.frame.push_back(k % 3);
+    all.layer.push_back(k % 4);
+    all.azimuth_rad.push_back(std::remainder(0.05 * (k / 8), 2.0 * std::numbers::pi));
+    all.elevation_rad.push_back(0.0);
+    all.echo.push_back(1 + k % 2);
+    all.range_m.push_back(10.0 + 0.37 * (k % 11));
+  }
+  core::Detections other = all;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other.azimuth_rad[i] += 0.003;
+    other.range_m[i] += 0.01 * static_cast<double>(i % 7);
+    if (i % 5 == 0) other.layer[i] = 9;
+  }
+  const auto own = pointCloudOf(all);
+  const auto there = pointCloudOf(other);
+  const auto differences = desktop::rangeDifferences(own, there);
+  ASSERT_EQ(differences.size(), own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const auto mate = desktop::sameBeam(there, own, i);
+    ASSERT_EQ(mate.has_value(), !std::isnan(differences[i])) << i;
+    if (mate) {
+      EXPECT_NEAR(differences[i], mate->range_m - all.range_m[i], 1e-12) << i;
+    }
+  }
+}
+
+TEST(ColourScale, DifferencesAreSymmetricAndAWildOneDoesNotFlattenTheRest) {
+  std::vector<double> values(200, 0.1);
+  values[7] = -50.0;
+  values[8] = std::nan("");
+  const auto scale = desktop::scaleFor(ColourBy::Difference, std::span(&values, 1));
+  EXPECT_DOUBLE_EQ(scale.high, 0.1);
+  EXPECT_DOUBLE_EQ(scale.low, -0.1);
+  EXPECT_DOUBLE_EQ(scale.shareOf(0.0), 0.5);
+  EXPECT_NE(scale(std::nan("")), scale(0.0));
+  EXPECT_FALSE(desktop::scaleFor(ColourBy::Difference, {}).known);
+}
+
+TEST(Readout, IsTextWithATabBetweenNameAndValue) {
+  const auto part = desktop::partOf(pointCloudOf(three()), desktop::CloudSource::Measured, 1, "wall");
+  const QString text = desktop::toText({part});
+  EXPECT_TRUE(text.startsWith("Measured detection\n"));
+  EXPECT_TRUE(text.contains("Sample\twall\n"));
+  EXPECT_TRUE(text.contains("Range\t20.000 m\n"));
 }
 
 TEST(ColourScale, BrightnessRisesAllTheWayAndStandsOutFromTheCanvas) {

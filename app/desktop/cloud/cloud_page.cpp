@@ -1,43 +1,16 @@
 #include "app/desktop/cloud/cloud_page.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
 #include <QFileDialog>
-#include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLineEdit>
-#include <QVBoxLayout>
-#include <numbers>
 
-#include "app/desktop/colours.h"
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/html.h"
-#include "core/json_object.h"
 
 namespace desktop {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-QToolButton* button(const QString& text, const QString& tip) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(tip);
-  return made;
-}
-
-QComboBox* box(const QString& name, int letters) {
-  auto* made = new QComboBox;
-  made->setAccessibleName(name);
-  made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  made->setMinimumContentsLength(letters);
-  return made;
-}
-
-QIcon patch(const QColor& colour) {
-  QPixmap pixmap(12, 12);
-  pixmap.fill(colour);
-  return QIcon(pixmap);
-}
 
 /// The folder of an experiment.json, or the file's own name.
 QString shortName(const std::filesystem::path& file) {
@@ -56,147 +29,9 @@ int offer(QComboBox* list, const std::filesystem::path& file) {
 
 std::filesystem::path chosen(const QComboBox* list) { return list->currentData().toString().toStdString(); }
 
-QString row(const QString& name, const QString& value) {
-  return "<tr><td style='padding-right:14px'>" + name + "</td><td align='right'>" + value + "</td></tr>";
-}
-
-QString number(double value, int decimals, const QString& unit) {
-  return QString::number(value, 'f', decimals) + " " + unit;
-}
-
-QString difference(double other, double own, int decimals, const QString& unit) {
-  const double by = other - own;
-  return number(other, decimals, unit) + " <small>(" + (by >= 0 ? "+" : "−") +
-         QString::number(std::abs(by), 'f', decimals) + ")</small>";
-}
-
 }  // namespace
 
-CloudPage::CloudPage(ProjectDocument& document, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      experiments_(box(tr("Experiment"), 16)),
-      models_(box(tr("Model"), 16)),
-      samples_(box(tr("Sample"), 10)),
-      frames_(box(tr("Frames"), 8)),
-      frame_(new QSpinBox),
-      colour_(box(tr("Colour by"), 12)),
-      view_(new CloudView) {
-  auto* splitter = new QSplitter;
-  splitter->setObjectName("cloudSplitter");
-  splitter->addWidget(view_);
-  splitter->addWidget(makeSide());
-  splitter->setSizes({1120, 320});
-  splitter->setStretchFactor(0, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(makeSourceBar());
-  layout->addWidget(makeViewBar());
-  layout->addWidget(splitter, 1);
-  samples_->setObjectName("cloudSamples");
-  show_simulated_->setObjectName("cloudSimulated");
-  frames_->setObjectName("cloudFrames");
-  colour_->setObjectName("cloudColour");
-  connectParts();
-  showBusy(false);
-  offerFilesOfProject();
-}
-
 CloudPage::~CloudPage() = default;
-
-QWidget* CloudPage::makeSourceBar() {
-  auto* bar = new QWidget;
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(8, 6, 8, 3);
-  auto* open_experiment = button(tr("Open…"), tr("An experiment package from elsewhere"));
-  auto* open_model = button(tr("Open…"), tr("A model file from elsewhere"));
-  simulate_ = button(tr("Simulate"), tr("Simulate this experiment with the model, this sample first"));
-  cancel_ = button(tr("Cancel"), tr("Stop; what is simulated already stays"));
-  progress_ = new QProgressBar;
-  progress_->setAccessibleName(tr("Progress of the simulation"));
-  progress_->setFixedWidth(180);
-  status_ = new QLabel;
-  status_->setObjectName("cloudStatus");
-  const auto label = [&](const QString& text, QWidget* buddy) {
-    auto* made = new QLabel(text);
-    made->setBuddy(buddy);
-    layout->addWidget(made);
-    layout->addWidget(buddy);
-  };
-  label(tr("Experiment"), experiments_);
-  layout->addWidget(open_experiment);
-  label(tr("Sample"), samples_);
-  layout->addSpacing(12);
-  label(tr("Model"), models_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{open_model, simulate_, progress_, cancel_, status_}) {
-    layout->addWidget(widget);
-  }
-  layout->addStretch(1);
-  connect(open_experiment, &QToolButton::clicked, this, &CloudPage::askForExperiment);
-  connect(open_model, &QToolButton::clicked, this, &CloudPage::askForModel);
-  connect(simulate_, &QToolButton::clicked, this, &CloudPage::simulate);
-  connect(cancel_, &QToolButton::clicked, this, &CloudPage::cancel);
-  return bar;
-}
-
-QWidget* CloudPage::makeViewBar() {
-  auto* bar = new QWidget;
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(8, 3, 8, 6);
-  show_measured_ = new QCheckBox(tr("Measured"));
-  show_measured_->setIcon(patch(CloudView::kMeasured));
-  show_simulated_ = new QCheckBox(tr("Simulated"));
-  show_simulated_->setIcon(patch(CloudView::kSimulated));
-  for (QCheckBox* check : {show_measured_, show_simulated_}) {
-    check->setChecked(true);
-    layout->addWidget(check);
-  }
-  layout->addSpacing(12);
-  layout->addWidget(new QLabel(tr("Colour by")));
-  for (const ColourBy by : {ColourBy::Source, ColourBy::Range, ColourBy::Intensity, ColourBy::EchoPulseWidth,
-                            ColourBy::Layer, ColourBy::Echo}) {
-    colour_->addItem(wordFor(by), int(by));
-  }
-  layout->addWidget(colour_);
-  layout->addSpacing(12);
-  frames_->addItems({tr("All frames"), tr("Frame")});
-  frame_->setAccessibleName(tr("Number of the frame"));
-  frame_->findChild<QLineEdit*>()->setAccessibleName(frame_->accessibleName());
-  layout->addWidget(frames_);
-  layout->addWidget(frame_);
-  layout->addStretch(1);
-  using Look = CloudView::Look;
-  for (const auto& [look, text, tip] :
-       {std::tuple(Look::Perspective, tr("Perspective"), tr("From behind the sensor, from above")),
-        std::tuple(Look::Top, tr("Top"), tr("From above, true to scale; x is up")),
-        std::tuple(Look::Side, tr("Side"), tr("From the right, true to scale")),
-        std::tuple(Look::Sensor, tr("Front"), tr("Along x, as the sensor looks, true to scale"))}) {
-    auto* made = button(text, tip);
-    connect(made, &QToolButton::clicked, view_, [this, look = look] { view_->look(look); });
-    layout->addWidget(made);
-  }
-  auto* fit = button(tr("Fit"), tr("Everything in the window (0)"));
-  connect(fit, &QToolButton::clicked, view_, &CloudView::fit);
-  layout->addWidget(fit);
-  return bar;
-}
-
-QWidget* CloudPage::makeSide() {
-  view_->setAccessibleName(tr("Point cloud"));
-  values_ = new QTextBrowser;
-  values_->setObjectName("cloudValues");
-  values_->setAccessibleName(tr("Values of the picked detection"));
-  values_->setFrameShape(QFrame::NoFrame);
-  values_->document()->setDocumentMargin(10);
-  side_ = new QSplitter(Qt::Vertical);
-  side_->setObjectName("cloudSide");
-  side_->addWidget(values_);
-  waveform_ = new WaveformView;
-  side_->addWidget(waveform_);
-  side_->setSizes({480, 300});
-  return side_;
-}
 
 void CloudPage::connectParts() {
   connect(experiments_, &QComboBox::activated, this, [this] { openExperiment(chosen(experiments_)); });
@@ -206,22 +41,50 @@ void CloudPage::connectParts() {
   connect(frame_, &QSpinBox::valueChanged, this, &CloudPage::showFrames);
   connect(colour_, &QComboBox::currentIndexChanged, this,
           [this] { view_->setColourBy(ColourBy(colour_->currentData().toInt())); });
+  connect(point_size_, &QSpinBox::valueChanged, view_, &CloudView::setPointSize);
   connect(show_measured_, &QCheckBox::toggled, view_,
           [this](bool on) { view_->setVisible(CloudSource::Measured, on); });
   connect(show_simulated_, &QCheckBox::toggled, view_,
           [this](bool on) { view_->setVisible(CloudSource::Simulated, on); });
+  connect(show_silent_, &QCheckBox::toggled, this, &CloudPage::showSilent);
+  connect(copy_, &QToolButton::clicked, this, &CloudPage::copyReadout);
+  connect(view_, &CloudView::copyRequested, this, &CloudPage::copyReadout);
   connect(view_, &CloudView::pickChanged, this, &CloudPage::showPick);
+  connect(&document_, &ProjectDocument::reset, this, &CloudPage::offerFilesOfProject);
+}
+
+void CloudPage::connectThreads() {
+  connect(&loader_, &CloudLoader::loaded, this, [this](std::shared_ptr<const PointCloud> cloud) {
+    measured_ = std::move(cloud);
+    sayWhatIsMissing();
+    view_->setCloud(CloudSource::Measured, measured_);
+    showFrames();
+  });
+  connect(&loader_, &CloudLoader::failed, this, [this](const core::InputError& error) {
+    tellTrouble(readoutOf(tr("The measurements cannot be read"), error));
+  });
   connect(&explainer_, &BeamExplainer::explained, this, [this](const model::BeamExplanation& beam) {
     const auto point = view_->picked();
     if (!point) return;
-    waveform_->show(beam, cloud(point->source)->detections.range_m[point->index],
-                    point->source == CloudSource::Measured ? CloudView::kMeasured : CloudView::kSimulated);
+    beam_ = beam;
+    const bool silent = point->source == CloudSource::Silent;
+    waveform_->show(beam, silent ? std::nullopt : std::optional(cloud(point->source)->detections.range_m[point->index]),
+                    CloudView::colourOf(point->source));
+    showReadout();
   });
   connect(&explainer_, &BeamExplainer::failed, waveform_, &WaveformView::clear);
-  connect(&document_, &ProjectDocument::reset, this, &CloudPage::offerFilesOfProject);
+  connect(&explainer_, &BeamExplainer::silentFound, this, [this](std::shared_ptr<const SilentBeams> beams) {
+    silent_ = std::move(beams);
+    view_->setCloud(CloudSource::Silent, std::shared_ptr<const PointCloud>(silent_, &silent_->cloud));
+    if (!runner_.isRunning()) showStatus();
+  });
+  connect(&explainer_, &BeamExplainer::silentFailed, this, [this](const QString& why) {
+    tellTrouble({{.title = tr("Beams without detection cannot be found"), .note = why, .rows = {}}});
+    if (!runner_.isRunning()) showStatus();
+  });
   connect(&runner_, &SimulationRunner::progressed, this, [this](double fraction, const QString& doing) {
     progress_->setValue(int(fraction * 100));
-    status_->setText(doing);
+    setStatus(doing);
   });
   connect(&runner_, &SimulationRunner::simulated, this,
           [this](std::size_t sample, std::shared_ptr<const PointCloud> cloud) {
@@ -234,18 +97,31 @@ void CloudPage::connectParts() {
   });
   connect(&runner_, &SimulationRunner::cancelled, this, [this] {
     showBusy(false);
-    status_->setText(tr("Cancelled"));
+    showStatus();
+    if (std::exchange(stopped_by_hand_, false)) setStatus(tr("Cancelled"));
+    if (std::exchange(again_, false)) simulate();
   });
   connect(&runner_, &SimulationRunner::failed, this, [this](const core::InputError& error) {
     showBusy(false);
+    showStatus();
     showError(this, error);
   });
+}
+
+void CloudPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && values_) showReadout();  // its colours are written into its text
+}
+
+void CloudPage::setStatus(const QString& text) {
+  status_->setText(text);
+  status_->setToolTip(text);
 }
 
 // Files -------------------------------------------------------------------------------------------------------------
 
 void CloudPage::offerFilesOfProject() {
-  runner_.cancel();
+  forgetSimulation();
   experiments_->clear();
   models_->clear();
   experiment_.reset();
@@ -268,34 +144,39 @@ void CloudPage::offerFilesOfProject() {
 }
 
 bool CloudPage::openExperiment(const std::filesystem::path& file) {
-  const bool read = guarded(this, [&] { experiment_ = model::readExperiment(file); });
-  if (!read) {
-    experiments_->setCurrentIndex(
-        experiment_ ? experiments_->findData(QString::fromStdString(experiment_->file.lexically_normal().string()))
-                    : -1);
-    return false;
-  }
-  experiments_->setCurrentIndex(offer(experiments_, experiment_->file));
   forgetSimulation();
+  experiment_.reset();
+  Readout trouble;
+  try {
+    experiment_ = model::readExperiment(file);
+  } catch (const core::InputError& error) {
+    trouble = readoutOf(tr("The experiment cannot be read"), error);
+  }
+  experiments_->setCurrentIndex(offer(experiments_, experiment_ ? experiment_->file : file));
   fillSamples();
-  return true;
+  if (!trouble.empty()) tellTrouble(std::move(trouble));
+  return experiment_.has_value();
 }
 
 void CloudPage::chooseModel(const std::filesystem::path& file) {
+  forgetSimulation();
   model_ = file;
   models_->setCurrentIndex(offer(models_, file));
-  forgetSimulation();
   showSimulated();
 }
 
 void CloudPage::askForExperiment() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open an experiment package"), {},
-                                                    tr("Experiments (experiment.json *.json);;All files (*)"));
+  const std::filesystem::path near = experiment_ ? experiment_->file.parent_path() : document_.folder();
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open an experiment package"), QString::fromStdString(near.string()),
+                                   tr("Experiments (experiment.json *.json);;All files (*)"));
   if (!file.isEmpty()) openExperiment(file.toStdString());
 }
 
 void CloudPage::askForModel() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open a model"), {}, tr("Models (*.json);;All files (*)"));
+  const std::filesystem::path near = model_.empty() ? document_.folder() : model_.parent_path();
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a model"), QString::fromStdString(near.string()),
+                                                    tr("Models (*.json);;All files (*)"));
   if (!file.isEmpty()) chooseModel(file.toStdString());
 }
 
@@ -306,29 +187,40 @@ void CloudPage::fillSamples() {
     const QSignalBlocker quiet(samples_);
     samples_->clear();
     if (experiment_) {
-      for (const model::Sample& each : experiment_->samples) samples_->addItem(QString::fromStdString(each.id));
+      for (const model::Sample& each : experiment_->samples) {
+        samples_->addItem(QString::fromStdString(each.id));
+        samples_->setItemData(samples_->count() - 1, samples_->itemText(samples_->count() - 1), Qt::ToolTipRole);
+      }
     }
   }
   showSample();
-  view_->fit();
 }
 
 void CloudPage::showSample() {
   measured_.reset();
-  if (experiment_ && sample() < experiment_->samples.size()) {
-    const model::Sample& shown = experiment_->samples[sample()];
-    guarded(this, [&] {
-      if (!shown.measurements.empty()) {
-        measured_ = std::make_shared<const PointCloud>(pointCloudOf(model::readMeasurements(*experiment_, shown)));
-      }
-    });
+  trouble_.clear();
+  loader_.drop();
+  view_->fit();  // and stay so while clouds arrive
+  view_->setCloud(CloudSource::Measured, nullptr);
+  if (experiment_ && sample() < experiment_->samples.size() && !experiment_->samples[sample()].measurements.empty()) {
+    loader_.load(*experiment_, sample());
   }
-  view_->setMessage(!experiment_ ? tr("Open an experiment package to see its detections.")
+  sayWhatIsMissing();
+  showSimulated();
+}
+
+void CloudPage::sayWhatIsMissing() {
+  view_->setMessage(!experiment_          ? tr("Open an experiment package to see its detections.")
+                    : loader_.isLoading() ? tr("Reading the measurements…")
                     : measured_ && measured_->detections.size() > 0
                         ? tr("The directions of these detections were not recorded: they have no place in space.")
                         : tr("There are no detections in this sample. Simulate it to see what a model reports."));
-  view_->setCloud(CloudSource::Measured, measured_);
-  showSimulated();
+}
+
+void CloudPage::tellTrouble(Readout trouble) {
+  trouble_ = std::move(trouble);
+  view_->setMessage(toText(trouble_));
+  showReadout();
 }
 
 void CloudPage::showSimulated() {
@@ -350,14 +242,36 @@ void CloudPage::showFrames() {
   const bool one = frames_->currentIndex() == 1;
   frame_->setEnabled(one);
   view_->setFrame(one ? std::optional(frame_->value()) : std::nullopt);
+  showSilent();
   showPick();
+}
+
+/// Asks for the beams without detection again if they are not those of this model, sample and frame.
+void CloudPage::showSilent() {
+  std::optional<BeamQuestion> wanted;
+  if (show_silent_->isChecked() && experiment_ && !experiment_->samples.empty() && !model_.empty()) {
+    wanted = question(frames_->currentIndex() == 1 ? frame_->value() : 0);
+  }
+  if (wanted == silent_of_) return;
+  silent_of_ = wanted;
+  explainer_.dropSilent();
+  silent_.reset();
+  view_->setCloud(CloudSource::Silent, nullptr);
+  if (wanted) {
+    if (!runner_.isRunning()) setStatus(tr("Looking for beams without detection…"));
+    explainer_.askSilent(*wanted);
+  } else if (!runner_.isRunning()) {
+    showStatus();
+  }
 }
 
 void CloudPage::showStatus() {
   simulate_->setEnabled(experiment_ && !model_.empty());
-  QString text;
-  if (experiment_ && experiment_->synthetic()) text = tr("Synthetic data: made by a program, not measured.");
-  status_->setText(text);
+  simulate_->setToolTip(!experiment_     ? tr("Open an experiment first")
+                        : model_.empty() ? tr("Choose a model first")
+                                         : tr("Simulate this experiment with the model, this sample first"));
+  setStatus(experiment_ && experiment_->synthetic() ? tr("Synthetic data: made by a program, not measured.")
+                                                    : QString());
 }
 
 void CloudPage::showBusy(bool busy) {
@@ -365,17 +279,34 @@ void CloudPage::showBusy(bool busy) {
   progress_->setValue(0);
   cancel_->setVisible(busy);
   simulate_->setVisible(!busy);
-  if (busy) status_->setText(tr("Starting…"));
+  if (busy) setStatus(tr("Starting…"));
 }
 
 void CloudPage::forgetSimulation() {
+  again_ = false;
+  if (runner_.isRunning()) showBusy(false);  // it ends by itself, unseen
   runner_.cancel();
   simulated_.clear();
+  ++edition_;
+}
+
+void CloudPage::cancel() {
+  again_ = false;
+  stopped_by_hand_ = runner_.isRunning();
+  runner_.cancel();
+  if (stopped_by_hand_) setStatus(tr("Stopping…"));
 }
 
 void CloudPage::simulate() {
-  if (runner_.isRunning() || !experiment_ || model_.empty()) return;
+  if (!experiment_ || model_.empty()) return;
+  if (runner_.isRunning()) {
+    if (!runner_.isStopping()) return;
+    again_ = true;
+    showBusy(true);
+    return;
+  }
   simulated_.clear();
+  ++edition_;
   showSimulated();
   showBusy(true);
   runner_.start(experiment_->file, model_, sample());
@@ -383,17 +314,39 @@ void CloudPage::simulate() {
 
 const PointCloud* CloudPage::cloud(CloudSource source) const {
   if (source == CloudSource::Measured) return measured_.get();
+  if (source == CloudSource::Silent) return silent_ ? &silent_->cloud : nullptr;
   const auto found = simulated_.find(sample());
   return found == simulated_.end() ? nullptr : found->second.get();
 }
 
-// The picked detection ----------------------------------------------------------------------------------------------
+// The picked point --------------------------------------------------------------------------------------------------
 
 void CloudPage::showPick() {
-  const auto point = view_->picked();
-  values_->setHtml(point ? valuesOf(*point) + otherSideOf(*point)
-                         : html::muted(tr("Click a point to see its values."), palette()));
+  beam_.reset();
+  showReadout();
   explainPick();
+}
+
+void CloudPage::showReadout() {
+  const auto point = view_->picked();
+  readout_ = point ? readoutOfPick(*point) : trouble_;
+  values_->setHtml(readout_.empty() ? html::muted(tr("Click a point to see its values, or press Space."), palette())
+                                    : toHtml(readout_, palette()));
+  copy_->setVisible(!readout_.empty());
+}
+
+void CloudPage::copyReadout() const {
+  if (!readout_.empty()) QApplication::clipboard()->setText(readoutText());
+}
+
+BeamQuestion CloudPage::question(int frame) const {
+  return {.experiment = experiment_->file,
+          .model = model_,
+          .edition = edition_,
+          .sample = sample(),
+          .frame = frame,
+          .layer = {},
+          .azimuth_rad = 0.0};
 }
 
 void CloudPage::explainPick() {
@@ -407,58 +360,25 @@ void CloudPage::explainPick() {
   }
   const core::Detections& d = cloud(point->source)->detections;
   waveform_->clear(tr("Asking the model…"));
-  explainer_.ask({.experiment = experiment_->file,
-                  .model = model_,
-                  .sample = sample(),
-                  .frame = d.frame[point->index],
-                  .layer = d.layer[point->index],
-                  .azimuth_rad = d.azimuth_rad[point->index]});
+  BeamQuestion about = question(d.frame[point->index]);
+  if (!d.layer.empty()) about.layer = d.layer[point->index];
+  about.azimuth_rad = d.azimuth_rad[point->index];
+  explainer_.ask(about);
 }
 
-QString CloudPage::valuesOf(const PickedPoint& point) const {
-  const PointCloud& from = *cloud(point.source);
-  const core::Detections& d = from.detections;
-  const std::size_t i = point.index;
-  QString text =
-      html::heading(point.source == CloudSource::Measured ? tr("Measured detection") : tr("Simulated detection"));
-  text += "<table>";
-  text += row(tr("Sample"), html::text(experiment_->samples[sample()].id));
-  text += row(tr("Frame"), QString::number(d.frame[i]));
-  if (d.time_s.size() == d.size()) text += row(tr("Time in frame"), number(1e3 * d.time_s[i], 3, "ms"));
-  text += row(tr("Layer"), QString::number(d.layer[i]));
-  text += row(tr("Azimuth"), number(kDegrees * d.azimuth_rad[i], 3, "°"));
-  text += row(tr("Elevation"), number(kDegrees * d.elevation_rad[i], 3, "°"));
-  text += row(tr("Echo"), QString::number(d.echo[i]));
-  text += row("<b>" + tr("Range") + "</b>", "<b>" + number(d.range_m[i], 3, "m") + "</b>");
-  if (!d.epw_m.empty()) text += row(tr("Echo pulse width"), number(d.epw_m[i], 3, "m"));
-  if (!d.intensity.empty()) text += row(tr("Intensity"), number(d.intensity[i], 2, "nW"));
-  text += row("x", number(double(from.x[i]), 3, "m")) + row("y", number(double(from.y[i]), 3, "m")) +
-          row("z", number(double(from.z[i]), 3, "m"));
-  return text + "</table>";
-}
-
-QString CloudPage::otherSideOf(const PickedPoint& point) const {
-  const bool measured = point.source == CloudSource::Measured;
-  const PointCloud* other = cloud(measured ? CloudSource::Simulated : CloudSource::Measured);
-  if (!other) return {};
+Readout CloudPage::readoutOfPick(const PickedPoint& point) const {
   const PointCloud& own = *cloud(point.source);
-  QString text = html::section(measured ? tr("The same beam, simulated") : tr("The same beam, measured"), palette());
-  const auto there = sameBeam(*other, own, point.index);
-  const auto here = sameBeam(own, own, point.index);
-  if (!there || !here) return text + html::paragraph(tr("No detection with this echo number."));
-  const bool one = there->count == 1 && here->count == 1;
-  text +=
-      html::muted(one ? tr("and its difference to the detection above")
-                      : tr("means over all frames: %1 detections here, %2 there").arg(here->count).arg(there->count),
-                  palette());
-  text += "<table>" + row(tr("Range"), difference(there->range_m, here->range_m, 3, "m"));
-  if (there->epw_m && here->epw_m) {
-    text += row(tr("Echo pulse width"), difference(*there->epw_m, *here->epw_m, 3, "m"));
+  Readout readout{partOf(own, point.source, point.index, samples_->currentText())};
+  if (point.source == CloudSource::Silent) {
+    readout.front().rows.emplace_back(tr("Reason"),
+                                      QString::fromStdString(model::toString(silent_->reasons[point.index])));
   }
-  if (there->intensity_nw && here->intensity_nw) {
-    text += row(tr("Intensity"), difference(*there->intensity_nw, *here->intensity_nw, 2, "nW"));
+  const CloudSource source = point.source == CloudSource::Measured ? CloudSource::Simulated : CloudSource::Measured;
+  if (const PointCloud* other = cloud(source)) readout.push_back(partOfOther(*other, source, own, point.index));
+  if (beam_) {
+    for (ReadoutPart& part : partsOf(*beam_)) readout.push_back(std::move(part));
   }
-  return text + "</table>";
+  return readout;
 }
 
 }  // namespace desktop

@@ -20,8 +20,9 @@ const QColor kGridText(0x8d, 0x98, 0xa5);
 const QColor kText(0xe6, 0xe8, 0xeb);
 
 constexpr double kPickReach_px = 9.0;
+constexpr double kSpot = 0.25;  // detections whose radius is a smaller share of their distance are a spot
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr std::array kBoth{CloudSource::Measured, CloudSource::Simulated};
+constexpr std::array kAll{CloudSource::Measured, CloudSource::Simulated, CloudSource::Silent};
 
 /// A line in space, without the part behind the eye.
 void drawLine(QPainter& painter, const Camera& camera, const Point3& from, const Point3& to) {
@@ -37,6 +38,11 @@ int radiusFor(std::size_t points) { return points > 200'000 ? 0 : points > 4'000
 
 const QColor CloudView::kMeasured(0x56, 0xb4, 0xe9);
 const QColor CloudView::kSimulated(0xf0, 0xa2, 0x1e);
+const QColor CloudView::kSilent(0xcc, 0x79, 0xa7);
+
+QColor CloudView::colourOf(CloudSource source) {
+  return source == CloudSource::Measured ? kMeasured : source == CloudSource::Simulated ? kSimulated : kSilent;
+}
 
 CloudView::CloudView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -48,7 +54,7 @@ CloudView::CloudView(QWidget* parent) : QWidget(parent) {
 
 template <typename Visit>
 void CloudView::eachShown(Visit visit) const {
-  for (const CloudSource source : kBoth) {
+  for (const CloudSource source : kAll) {
     const Side& shown = side(source);
     if (!shown.visible || !shown.cloud) continue;
     for (std::size_t i = 0; i < shown.cloud->size(); ++i) {
@@ -59,20 +65,35 @@ void CloudView::eachShown(Visit visit) const {
 
 void CloudView::setCloud(CloudSource source, std::shared_ptr<const PointCloud> cloud) {
   side(source).cloud = std::move(cloud);
+  count();
   recolour();
-  pick(std::nullopt);
+  if (picked_ && picked_->source == source) pick(std::nullopt);
   if (fitted_) fit();
+  update();
+}
+
+void CloudView::count() {
+  for (Side& each : sides_) {
+    each.shown = 0;
+    for (std::size_t i = 0; each.cloud && i < each.cloud->size(); ++i) each.shown += shows(each, i);
+  }
+}
+
+void CloudView::setPointSize(int pixels) {
+  point_size_px_ = pixels;
   update();
 }
 
 void CloudView::setVisible(CloudSource source, bool visible) {
   side(source).visible = visible;
   if (picked_ && picked_->source == source && !visible) pick(std::nullopt);
+  if (fitted_) fit();
   update();
 }
 
 void CloudView::setFrame(std::optional<int> frame) {
   frame_ = frame;
+  count();
   if (picked_ && !shows(side(picked_->source), picked_->index)) pick(std::nullopt);
   update();
 }
@@ -88,11 +109,21 @@ void CloudView::setMessage(const QString& message) {
   update();
 }
 
-/// One scale for both sides and all frames, so that a colour means the same while frames go by.
+/// One scale for both sides and all frames, so that a colour means the same while frames go by. Beams without detection
+/// keep their colour.
 void CloudView::recolour() {
   std::array<std::vector<double>, 2> values;
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (sides_[k].cloud) values[k] = valuesFor(*sides_[k].cloud, scale_.by);
+  const auto& measured = side(CloudSource::Measured).cloud;
+  const auto& simulated = side(CloudSource::Simulated).cloud;
+  if (scale_.by == ColourBy::Difference) {
+    if (measured && simulated) {
+      values[0] = rangeDifferences(*measured, *simulated);
+      values[1] = rangeDifferences(*simulated, *measured);
+      for (double& value : values[1]) value = -value;  // always simulated minus measured
+    }
+  } else {
+    if (measured) values[0] = valuesFor(*measured, scale_.by);
+    if (simulated) values[1] = valuesFor(*simulated, scale_.by);
   }
   scale_ = scaleFor(scale_.by, values);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -105,7 +136,7 @@ void CloudView::recolour() {
 
 std::size_t CloudView::shownPoints() const {
   std::size_t count = 0;
-  eachShown([&](CloudSource, const Side&, std::size_t) { ++count; });
+  for (const Side& each : sides_) count += each.visible ? each.shown : 0;
   return count;
 }
 
@@ -138,14 +169,40 @@ void CloudView::look(Look look) {
   fit();
 }
 
-void CloudView::fit() {
-  const double least = 0.02 * extent();  // a single beam is a line: give it some body
-  std::vector<Point3> frame{{0, least, least}, {0, -least, -least}};
+std::vector<Point3> CloudView::frameToFit() const {
+  std::vector<Point3> frame;
+  Point3 low{1e300, 1e300, 1e300};
+  Point3 high{-1e300, -1e300, -1e300};
   for (const Side& each : sides_) {
-    if (each.cloud) frame.insert(frame.end(), each.cloud->outline.begin(), each.cloud->outline.end());
+    if (!each.cloud || !each.visible || each.cloud->size() == 0) continue;
+    for (auto point = each.cloud->outline.begin() + 1; point != each.cloud->outline.end(); ++point) {
+      frame.push_back(*point);
+      low = {std::min(low.x, point->x), std::min(low.y, point->y), std::min(low.z, point->z)};
+      high = {std::max(high.x, point->x), std::max(high.y, point->y), std::max(high.z, point->z)};
+    }
   }
+  const double sensor_m = 0.02 * extent();  // a single beam is a line: give it some body
+  const std::array<Point3, 2> sensor{Point3{0, sensor_m, sensor_m}, Point3{0, -sensor_m, -sensor_m}};
+  if (frame.empty()) return {{0, -1, 0}, {0, 1, 0}, {2, 0, 0}};
+  const Point3 centre{0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)};
+  const double distance_m = std::hypot(centre.x, centre.y, centre.z);
+  const double radius_m = 0.5 * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  if (radius_m >= kSpot * distance_m) {
+    frame.insert(frame.end(), sensor.begin(), sensor.end());
+    return frame;
+  }
+  const double body_m = std::max(0.1 * distance_m, 1.5 * radius_m);  // what lies around tells where the spot is
+  for (const double sign : {-1.0, 1.0}) {
+    frame.push_back({centre.x + sign * body_m, centre.y, centre.z});
+    frame.push_back({centre.x, centre.y + sign * body_m, centre.z});
+    frame.push_back({centre.x, centre.y, centre.z + sign * body_m});
+  }
+  return frame;
+}
+
+void CloudView::fit() {
   camera_.setViewport(size());
-  camera_.fit(frame);
+  camera_.fit(frameToFit());
   fitted_ = true;
   update();
 }
@@ -168,10 +225,12 @@ QPointF CloudView::placeOf(PickedPoint point) const {
   return {at.x, at.y};
 }
 
-std::optional<PickedPoint> CloudView::pointAt(QPointF place) const {
+std::optional<PickedPoint> CloudView::pointAt(QPointF place) const { return nearestPoint(place, kPickReach_px); }
+
+std::optional<PickedPoint> CloudView::nearestPoint(QPointF place, double reach_px) const {
   const Camera::Projector project = camera_.projector();
   std::optional<PickedPoint> nearest;
-  double least = kPickReach_px * kPickReach_px;
+  double least = reach_px * reach_px;
   double depth = std::numeric_limits<double>::infinity();
   eachShown([&](CloudSource source, const Side& shown, std::size_t i) {
     const auto at = project(shown.cloud->x[i], shown.cloud->y[i], shown.cloud->z[i]);
@@ -228,21 +287,68 @@ void CloudView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void CloudView::keyPressEvent(QKeyEvent* event) {
+/// To the next shown point in the order of the file, from one source to the other, round and round.
+void CloudView::step(int by) {
+  std::vector<std::pair<CloudSource, const Side*>> shown;
+  std::size_t place = 0;
+  std::size_t total = 0;
+  for (const CloudSource source : kAll) {
+    const Side& each = side(source);
+    if (!each.visible || !each.cloud) continue;
+    if (picked_ && picked_->source == source) place = total + picked_->index;
+    shown.emplace_back(source, &each);
+    total += each.cloud->size();
+  }
+  if (shownPoints() == 0) return;
+  if (!picked_) place = by > 0 ? total - 1 : 0;
+  const auto found = [&]() -> std::optional<PickedPoint> {
+    std::size_t left = place;
+    for (const auto& [source, each] : shown) {
+      if (left < each->cloud->size()) {
+        return shows(*each, left) ? std::optional(PickedPoint{source, left}) : std::nullopt;
+      }
+      left -= each->cloud->size();
+    }
+    return std::nullopt;
+  };
+  for (std::size_t tries = 0; tries < total; ++tries) {
+    place = by > 0 ? (place + 1) % total : (place + total - 1) % total;
+    if (const auto point = found()) {
+      pick(point);
+      return;
+    }
+  }
+}
+
+void CloudView::turnOrMove(double right, double up, bool move) {
   constexpr double kStep = 5 * kDegree;
+  constexpr double kMove_px = 40;
+  if (move) {
+    camera_.pan({-right * kMove_px, up * kMove_px});
+  } else {
+    camera_.orbit(right * kStep, up * kStep);
+  }
+}
+
+void CloudView::keyPressEvent(QKeyEvent* event) {
+  const bool move = event->modifiers() & Qt::ShiftModifier;
   const QPointF middle(0.5 * width(), 0.5 * height());
+  if (event->matches(QKeySequence::Copy)) {
+    emit copyRequested();
+    return;
+  }
   switch (event->key()) {
     case Qt::Key_Left:
-      camera_.orbit(-kStep, 0);
+      turnOrMove(-1, 0, move);
       break;
     case Qt::Key_Right:
-      camera_.orbit(kStep, 0);
+      turnOrMove(1, 0, move);
       break;
     case Qt::Key_Up:
-      camera_.orbit(0, kStep);
+      turnOrMove(0, 1, move);
       break;
     case Qt::Key_Down:
-      camera_.orbit(0, -kStep);
+      turnOrMove(0, -1, move);
       break;
     case Qt::Key_Plus:
       camera_.zoom(1.25, middle);
@@ -252,6 +358,21 @@ void CloudView::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_0:
       fit();
+      return;
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3:
+    case Qt::Key_4:
+      look(Look(event->key() - Qt::Key_1));
+      return;
+    case Qt::Key_Space:
+      pick(nearestPoint(middle, std::hypot(width(), height())));
+      return;
+    case Qt::Key_N:
+      step(1);
+      return;
+    case Qt::Key_P:
+      step(-1);
       return;
     case Qt::Key_Escape:
       pick(std::nullopt);
@@ -343,6 +464,13 @@ void CloudView::splat(int x, int y, float depth, QRgb colour, CloudSource source
     }
     return;
   }
+  if (source == CloudSource::Silent && radius > 0) {  // a diagonal cross
+    for (int k = -radius; k <= radius; ++k) {
+      put(x + k, y + k);
+      put(x + k, y - k);
+    }
+    return;
+  }
   for (int dy = -radius; dy <= radius; ++dy) {
     for (int dx = -radius; dx <= radius; ++dx) put(x + dx, y + dy);
   }
@@ -351,14 +479,15 @@ void CloudView::splat(int x, int y, float depth, QRgb colour, CloudSource source
 void CloudView::drawPoints() {
   depths_.assign(std::size_t(canvas_.width()) * std::size_t(canvas_.height()), std::numeric_limits<float>::infinity());
   const double ratio = devicePixelRatioF();
-  const int radius = int(std::lround(radiusFor(shownPoints()) * ratio));
+  const double wanted = point_size_px_ > 0 ? 0.5 * (point_size_px_ - 1) : radiusFor(shownPoints());
+  const int radius = std::max(int(std::lround(wanted * ratio)), ratio > 1.5 ? 1 : 0);
   const Camera::Projector project = camera_.projector();
   eachShown([&](CloudSource source, const Side& shown, std::size_t i) {
     const auto at = project(shown.cloud->x[i], shown.cloud->y[i], shown.cloud->z[i]);
     const double x = at.x * ratio;
     const double y = at.y * ratio;
     if (!at.visible() || x < -8 || y < -8 || x > canvas_.width() + 8 || y > canvas_.height() + 8) return;
-    const QRgb own = (source == CloudSource::Measured ? kMeasured : kSimulated).rgb();
+    const QRgb own = colourOf(source).rgb();
     const QRgb colour = i < shown.colours.size() ? shown.colours[i] : own;
     // A cross on a square leaves both to be seen; so it lies on top unless something else is clearly in front.
     const double depth = source == CloudSource::Simulated ? 0.98 * at.depth : at.depth;
@@ -385,17 +514,18 @@ void CloudView::drawLegend(QPainter& painter) const {
   const QFontMetrics metrics(font());
   const int line = metrics.lineSpacing() + 4;
   std::vector<std::pair<CloudSource, QString>> entries;
-  for (const CloudSource source : kBoth) {
+  for (const CloudSource source : kAll) {
     const Side& shown = side(source);
     if (!shown.cloud || !shown.visible) continue;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < shown.cloud->size(); ++i) count += shows(shown, i);
-    const QString word = source == CloudSource::Measured ? tr("Measured") : tr("Simulated");
-    entries.emplace_back(source, tr("%1 (%L2)").arg(word).arg(qulonglong(count)));
+    const QString word = source == CloudSource::Measured    ? tr("Measured")
+                         : source == CloudSource::Simulated ? tr("Simulated")
+                                                            : tr("No detection");
+    entries.emplace_back(source, tr("%1 (%L2)").arg(word).arg(qulonglong(shown.shown)));
   }
   int widest = 0;
   for (const auto& entry : entries) widest = std::max(widest, metrics.horizontalAdvance(entry.second));
   const bool ramp = scale_.by != ColourBy::Source;
+  if (ramp) widest = std::max(widest, metrics.horizontalAdvance(titleOf(scale_.by)) - 20);
   const double height = double(entries.size()) * line + 14 + (ramp ? 150 + line : 0);
   const QRectF box(width() - widest - 56.0, 12, widest + 44.0, height);
   painter.setPen(QPen(kGrid, 1));
@@ -404,13 +534,16 @@ void CloudView::drawLegend(QPainter& painter) const {
   double y = box.top() + 7;
   for (const auto& [source, text] : entries) {
     const QPointF sign(box.left() + 16, y + 0.5 * line);
-    const QColor colour = ramp ? kText : source == CloudSource::Measured ? kMeasured : kSimulated;
+    const QColor colour = ramp && source != CloudSource::Silent ? kText : colourOf(source);
     if (source == CloudSource::Measured) {
       painter.fillRect(QRectF(sign.x() - 4, sign.y() - 4, 8, 8), colour);
     } else {
+      const bool upright = source == CloudSource::Simulated;
+      const QPointF one = upright ? QPointF(5, 0) : QPointF(4, 4);
+      const QPointF two = upright ? QPointF(0, 5) : QPointF(4, -4);
       painter.setPen(QPen(colour, 2));
-      painter.drawLine(sign - QPointF(5, 0), sign + QPointF(5, 0));
-      painter.drawLine(sign - QPointF(0, 5), sign + QPointF(0, 5));
+      painter.drawLine(sign - one, sign + one);
+      painter.drawLine(sign - two, sign + two);
     }
     painter.setPen(kText);
     painter.drawText(QRectF(box.left() + 30, y, box.width() - 34, line), Qt::AlignVCenter, text);
@@ -423,9 +556,16 @@ void CloudView::drawRamp(QPainter& painter, const QRectF& box) const {
   const int line = QFontMetrics(font()).lineSpacing() + 4;
   painter.setPen(kText);
   painter.drawText(QRectF(box.left() + 10, box.top(), box.width() - 12, line), Qt::AlignVCenter, titleOf(scale_.by));
+  if (!scale_.known) {
+    painter.setPen(kGridText);
+    painter.drawText(box.adjusted(10, line, -6, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                     scale_.by == ColourBy::Difference ? tr("No beam has both a measured and a simulated detection.")
+                                                       : tr("not recorded"));
+    return;
+  }
   const QRectF bar(box.left() + 12, box.top() + line + 8, 14, box.height() - line - 24);
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-  for (int k = 0; k <= 16; ++k) gradient.setColorAt(k / 16.0, rampColour(k / 16.0));
+  for (int k = 0; k <= 16; ++k) gradient.setColorAt(k / 16.0, scale_.at(k / 16.0));
   painter.setPen(Qt::NoPen);
   painter.setBrush(gradient);
   painter.drawRoundedRect(bar, 2, 2);
@@ -440,8 +580,9 @@ void CloudView::drawRamp(QPainter& painter, const QRectF& box) const {
 
 void CloudView::drawHint(QPainter& painter) const {
   painter.setPen(kGridText);
+  const QString hint = tr("Drag turns · right drag moves · wheel zooms · click picks · N, P: next, previous · 0 fits");
   painter.drawText(rect().adjusted(14, 0, -14, -10), Qt::AlignLeft | Qt::AlignBottom,
-                   tr("Drag turns · right drag moves · wheel zooms · click picks · 0 fits"));
+                   QFontMetrics(font()).elidedText(hint, Qt::ElideRight, width() - 28));
 }
 
 }  // namespace desktop

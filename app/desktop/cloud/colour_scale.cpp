@@ -20,6 +20,25 @@ QColor rampColour(double share) {
   return {channel(0), channel(1), channel(2)};
 }
 
+QColor differenceColour(double share) {
+  constexpr std::array<double, 3> kBelow{64, 132, 255};
+  constexpr std::array<double, 3> kZero{200, 204, 210};
+  constexpr std::array<double, 3> kAbove{255, 140, 20};
+  const double part = std::clamp(std::abs(share), 0.0, 1.0);
+  const auto& end = share < 0 ? kBelow : kAbove;
+  const auto channel = [&](std::size_t k) { return int(std::lround(kZero[k] + part * (end[k] - kZero[k]))); };
+  return {channel(0), channel(1), channel(2)};
+}
+
+QColor ColourScale::at(double share) const {
+  return by == ColourBy::Difference ? differenceColour(2.0 * share - 1.0) : rampColour(share);
+}
+
+QRgb ColourScale::operator()(double value) const {
+  static const QRgb kNothing = QColor(0x5c, 0x63, 0x6e).rgb();
+  return std::isnan(value) ? kNothing : at(shareOf(value)).rgb();
+}
+
 double ColourScale::shareOf(double value) const noexcept {
   if (!(high > low)) return 0.5;
   if (!logarithmic) return (value - low) / (high - low);
@@ -50,7 +69,26 @@ std::vector<double> ColourScale::ticks() const {
   return ticks;
 }
 
+namespace {
+
+ColourScale differenceScale(std::span<const std::vector<double>> values) {
+  std::vector<double> sizes;
+  for (const std::vector<double>& list : values) {
+    for (const double value : list) {
+      if (!std::isnan(value)) sizes.push_back(std::abs(value));
+    }
+  }
+  if (sizes.empty()) return {.by = ColourBy::Difference};
+  const auto most = sizes.begin() + std::ptrdiff_t(0.98 * double(sizes.size() - 1));
+  std::nth_element(sizes.begin(), most, sizes.end());
+  const double high = std::max(*most, 1e-3);  // a millimetre: less is rounding
+  return {.by = ColourBy::Difference, .low = -high, .high = high, .known = true};
+}
+
+}  // namespace
+
 ColourScale scaleFor(ColourBy by, std::span<const std::vector<double>> values) {
+  if (by == ColourBy::Difference) return differenceScale(values);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const std::vector<double>& list : values) {
@@ -60,7 +98,11 @@ ColourScale scaleFor(ColourBy by, std::span<const std::vector<double>> values) {
     }
   }
   if (!(low <= high)) return {.by = by};
-  return {.by = by, .low = low, .high = high, .logarithmic = by == ColourBy::Intensity && low > 0 && high > 30 * low};
+  return {.by = by,
+          .low = low,
+          .high = high,
+          .logarithmic = by == ColourBy::Intensity && low > 0 && high > 30 * low,
+          .known = true};
 }
 
 QString wordFor(ColourBy by) {
@@ -77,6 +119,8 @@ QString wordFor(ColourBy by) {
       return QObject::tr("Layer");
     case ColourBy::Echo:
       return QObject::tr("Echo");
+    case ColourBy::Difference:
+      return QObject::tr("Range difference");
   }
   return {};
 }
@@ -88,6 +132,8 @@ QString titleOf(ColourBy by) {
       return wordFor(by) + " [m]";
     case ColourBy::Intensity:
       return wordFor(by) + " [nW]";
+    case ColourBy::Difference:
+      return QObject::tr("Sim. − meas. [m]");
     default:
       return wordFor(by);
   }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace desktop {
 
@@ -16,6 +19,61 @@ double mean(const std::vector<double>& values, const std::vector<std::size_t>& c
   double sum = 0.0;
   for (const std::size_t i : chosen) sum += values[i];
   return sum / static_cast<double>(chosen.size());
+}
+
+double around(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
+
+/// One beam of a cloud, with its mean range by echo number.
+struct BeamMean {
+  std::int32_t layer;
+  double azimuth_rad;
+  std::map<std::int32_t, double> range_m;
+};
+
+bool before(const BeamMean& beam, const std::pair<std::int32_t, double>& place) {
+  return std::pair(beam.layer, beam.azimuth_rad) < place;
+}
+
+/// By layer and azimuth.
+std::vector<BeamMean> beamMeansOf(const core::Detections& d) {
+  std::vector<std::size_t> order(d.hasDirections() ? d.size() : 0);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) { return std::pair(d.layer.empty() ? 0 : d.layer[i], d.azimuth_rad[i]); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  std::vector<BeamMean> beams;
+  std::map<std::int32_t, int> counts;
+  for (const std::size_t i : order) {
+    const auto [layer, azimuth] = place(i);
+    if (beams.empty() || beams.back().layer != layer || azimuth - beams.back().azimuth_rad > kSameAzimuth_rad) {
+      beams.push_back({layer, azimuth, {}});
+      counts.clear();
+    }
+    double& mean = beams.back().range_m[d.echo[i]];
+    mean += (d.range_m[i] - mean) / ++counts[d.echo[i]];
+  }
+  return beams;
+}
+
+/// Of the layer; nullptr if none is at most half a degree away, around the circle.
+const BeamMean* nearestBeam(const std::vector<BeamMean>& beams, std::int32_t layer, double azimuth_rad) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto first = std::lower_bound(beams.begin(), beams.end(), std::pair(layer, -kInfinite), before);
+  const auto last = std::lower_bound(first, beams.end(), std::pair(layer, kInfinite), before);
+  if (first == last) return nullptr;
+  const auto behind = std::lower_bound(first, last, std::pair(layer, azimuth_rad), before);
+  const BeamMean* nearest = nullptr;
+  double least = kLargestMiss_rad;
+  const auto consider = [&](const BeamMean& beam) {
+    const double miss = std::abs(around(beam.azimuth_rad - azimuth_rad));
+    if (miss > least) return;
+    least = miss;
+    nearest = &beam;
+  };
+  consider(*first);  // +-180 degrees may lie between
+  consider(*std::prev(last));
+  if (behind != last) consider(*behind);
+  if (behind != first) consider(*std::prev(behind));
+  return nearest;
 }
 
 /// Directions spread evenly over the sphere: a Fibonacci lattice.
@@ -70,6 +128,7 @@ std::vector<double> valuesFor(const PointCloud& cloud, ColourBy by) {
   const core::Detections& d = cloud.detections;
   switch (by) {
     case ColourBy::Source:
+    case ColourBy::Difference:
       return {};
     case ColourBy::Range:
       return d.range_m;
@@ -89,25 +148,42 @@ std::optional<BeamSummary> sameBeam(const PointCloud& cloud, const PointCloud& o
   const core::Detections& d = cloud.detections;
   const core::Detections& from = of.detections;
   if (cloud.size() == 0 || of.size() <= picked) return std::nullopt;
-  const auto miss = [&](std::size_t i) { return std::abs(d.azimuth_rad[i] - from.azimuth_rad[picked]); };
+  const bool layers = !d.layer.empty() && !from.layer.empty();
+  const auto sameLayer = [&](std::size_t i) { return !layers || d.layer[i] == from.layer[picked]; };
+  const std::int32_t echo = std::max(1, from.echo[picked]);
   double nearest_miss = std::numeric_limits<double>::infinity();
   double azimuth = 0.0;
   for (std::size_t i = 0; i < d.size(); ++i) {
-    if (d.layer[i] != from.layer[picked] || miss(i) >= nearest_miss) continue;
-    nearest_miss = miss(i);
+    const double miss = std::abs(around(d.azimuth_rad[i] - from.azimuth_rad[picked]));
+    if (!sameLayer(i) || miss >= nearest_miss) continue;
+    nearest_miss = miss;
     azimuth = d.azimuth_rad[i];
   }
   std::vector<std::size_t> mates;
   for (std::size_t i = 0; i < d.size() && nearest_miss <= kLargestMiss_rad; ++i) {
-    const bool same = d.layer[i] == from.layer[picked] && d.echo[i] == from.echo[picked] &&
-                      std::abs(d.azimuth_rad[i] - azimuth) <= kSameAzimuth_rad;
-    if (same) mates.push_back(i);
+    if (sameLayer(i) && d.echo[i] == echo && std::abs(around(d.azimuth_rad[i] - azimuth)) <= kSameAzimuth_rad) {
+      mates.push_back(i);
+    }
   }
   if (mates.empty()) return std::nullopt;
   BeamSummary summary{.count = mates.size(), .range_m = mean(d.range_m, mates), .epw_m = {}, .intensity_nw = {}};
   if (!d.epw_m.empty()) summary.epw_m = mean(d.epw_m, mates);
   if (!d.intensity.empty()) summary.intensity_nw = mean(d.intensity, mates);
   return summary;
+}
+
+std::vector<double> rangeDifferences(const PointCloud& own, const PointCloud& other) {
+  const std::vector<BeamMean> beams = beamMeansOf(other.detections);
+  const core::Detections& d = own.detections;
+  std::vector<double> differences(own.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const std::int32_t layer = d.layer.empty() ? 0 : d.layer[i];
+    if (const BeamMean* beam = nearestBeam(beams, layer, d.azimuth_rad[i])) {
+      const auto mean = beam->range_m.find(d.echo[i]);
+      if (mean != beam->range_m.end()) differences[i] = mean->second - d.range_m[i];
+    }
+  }
+  return differences;
 }
 
 }  // namespace desktop

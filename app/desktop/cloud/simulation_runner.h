@@ -25,6 +25,7 @@ class SimulationRunner final : public QObject {
   /// What is under way is finished in the background and dropped; no signal comes any more but cancelled().
   void cancel();
   [[nodiscard]] bool isRunning() const noexcept { return thread_ != nullptr; }
+  [[nodiscard]] bool isStopping() const noexcept { return thread_ && *stop_; }
 
  signals:
   void progressed(double fraction, const QString& doing);

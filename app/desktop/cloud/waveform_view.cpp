@@ -4,6 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/desktop/cloud/colour_scale.h"
 #include "app/desktop/colours.h"
@@ -39,7 +40,7 @@ WaveformView::WaveformView(QWidget* parent) : QWidget(parent) {
   setAutoFillBackground(true);
 }
 
-void WaveformView::show(model::BeamExplanation beam, double reported_m, const QColor& colour) {
+void WaveformView::show(model::BeamExplanation beam, std::optional<double> reported_m, const QColor& colour) {
   beam_ = std::move(beam);
   reported_m_ = reported_m;
   colour_ = colour;
@@ -56,9 +57,9 @@ WaveformView::Axes WaveformView::axes() const {
   const QFontMetrics metrics(font());
   const double line = metrics.lineSpacing();
   Axes axes{
-      .plot = QRectF(rect()).adjusted(metrics.horizontalAdvance("0000") + 14, 2.4 * line + 8, -14, -2.2 * line - 8),
-      .low_m = reported_m_ - 1.0,
-      .high_m = reported_m_ + 1.0,
+      .plot = QRectF(rect()).adjusted(metrics.horizontalAdvance("0.000") + 14, 3.4 * line + 10, -14, -2.2 * line - 8),
+      .low_m = reported_m_ ? *reported_m_ - 1.0 : std::numeric_limits<double>::infinity(),
+      .high_m = reported_m_ ? *reported_m_ + 1.0 : -std::numeric_limits<double>::infinity(),
       .top_nw = 1.4 * kNano * beam_->shot.receiver.threshold_w};
   for (const model::WaveformSample& sample : beam_->waveform) {
     axes.low_m = std::min(axes.low_m, sample.range_m);
@@ -66,6 +67,10 @@ WaveformView::Axes WaveformView::axes() const {
     axes.top_nw = std::max(axes.top_nw, 1.1 * kNano * sample.power_w);
   }
   for (const model::Echo& echo : beam_->shot.echoes) axes.top_nw = std::max(axes.top_nw, 1.1 * kNano * echo.peak_w);
+  if (!(axes.low_m < axes.high_m)) {  // nothing came back: an empty axis
+    axes.low_m = 0.0;
+    axes.high_m = 100.0;
+  }
   return axes;
 }
 
@@ -86,16 +91,21 @@ void WaveformView::paintEvent(QPaintEvent*) {
 void WaveformView::drawFrame(QPainter& painter, const Axes& axes) const {
   const double line = QFontMetrics(font()).lineSpacing();
   painter.setPen(palette().color(QPalette::Text));
+  const auto write = [&](double top, const QFont& with, const QString& text) {
+    painter.setFont(with);
+    const QString fits = QFontMetrics(with).elidedText(text, Qt::ElideRight, width() - 20);
+    painter.drawText(QRectF(10, top, width() - 20, line), Qt::AlignLeft | Qt::AlignVCenter, fits);
+  };
   QFont bold = font();
   bold.setBold(true);
-  painter.setFont(bold);
-  painter.drawText(QRectF(10, 6, width() - 20, line), Qt::AlignLeft,
-                   tr("Received signal: %1").arg(QString::fromStdString(model::toString(beam_->reason))));
-  painter.setFont(font());
+  write(6, bold, tr("Received signal: %1").arg(QString::fromStdString(model::toString(beam_->reason))));
   painter.setPen(muted(palette()));
-  painter.drawText(QRectF(10, 6 + line, width() - 20, line), Qt::AlignLeft,
-                   tr("simulated, without noise [nW]; dotted: the picked range"));
+  write(6 + line, font(), reported_m_ ? tr("without noise; dotted: picked range") : tr("without noise"));
+  write(6 + 2 * line, font(), tr("power [nW]"));
   painter.drawText(QRectF(10, height() - line - 4, width() - 20, line), Qt::AlignCenter, tr("range [m]"));
+  if (beam_->waveform.empty()) {
+    painter.drawText(axes.plot, Qt::AlignCenter | Qt::TextWordWrap, tr("No light comes back."));
+  }
   const QPen grid(tint(palette(), palette().color(QPalette::Text), 0.15), 1);
   const double step_m = roundStep((axes.high_m - axes.low_m) / 4.0);
   for (double at = std::ceil(axes.low_m / step_m) * step_m; at <= axes.high_m; at += step_m) {
@@ -143,8 +153,11 @@ void WaveformView::drawSignal(QPainter& painter, const Axes& axes) const {
 
 void WaveformView::drawEchoes(QPainter& painter, const Axes& axes) const {
   const double line = QFontMetrics(font()).lineSpacing();
-  painter.setPen(QPen(colour_.darker(isDark(palette()) ? 100 : 130), 1.6, Qt::DotLine));
-  painter.drawLine(QPointF(axes.x(reported_m_), axes.plot.top()), QPointF(axes.x(reported_m_), axes.plot.bottom()));
+  if (reported_m_) {
+    const double x = axes.x(*reported_m_);
+    painter.setPen(QPen(colour_.darker(isDark(palette()) ? 100 : 130), 1.6, Qt::DotLine));
+    painter.drawLine(QPointF(x, axes.plot.top()), QPointF(x, axes.plot.bottom()));
+  }
   int number = 0;
   for (const model::Echo& echo : beam_->shot.echoes) {
     const QPointF at(axes.x(echo.range_m), axes.y(echo.peak_w));

@@ -15,8 +15,8 @@ class WaveformView final : public QWidget {
  public:
   explicit WaveformView(QWidget* parent = nullptr);
 
-  /// `reported_m`: the range of the detection that was picked; a line of its own colour.
-  void show(model::BeamExplanation beam, double reported_m, const QColor& colour);
+  /// `reported_m`: the range of the detection that was picked, a line of its own colour; absent if there is none.
+  void show(model::BeamExplanation beam, std::optional<double> reported_m, const QColor& colour);
   using QWidget::show;
   void clear(const QString& instead);
   [[nodiscard]] const std::optional<model::BeamExplanation>& beam() const noexcept { return beam_; }
@@ -35,7 +35,7 @@ class WaveformView final : public QWidget {
   void drawEchoes(QPainter& painter, const Axes& axes) const;
 
   std::optional<model::BeamExplanation> beam_;
-  double reported_m_ = 0.0;
+  std::optional<double> reported_m_;
   QColor colour_;
   QString instead_;
 };
