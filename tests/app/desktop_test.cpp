@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +17,7 @@
 #include <QTimer>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <set>
 
 #include "app/desktop/cepra_page.h"
@@ -613,6 +615,37 @@ TEST_F(DesktopCloud, AThumbingThroughSamplesEndsWithTheLast) {
   const model::Experiment street = model::readExperiment(folder_ / "street");
   EXPECT_EQ(page().cloud(desktop::CloudSource::Measured)->size(),
             model::readMeasurements(street, street.samples[1]).size());
+}
+
+// Says how long a frame takes; how long it may take depends on the machine.
+TEST_F(DesktopCloud, AMillionPointsAreDrawn) {
+  constexpr std::size_t kPoints = 1'000'000;
+  core::Detections d{.frame = {}, .layer = {}, .azimuth_rad = {}, .elevation_rad = {}, .echo = {}, .range_m = {}};
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double turn = double(i) / double(kPoints);
+    d.frame.push_back(0);
+    d.layer.push_back(int(i % 128));
+    d.azimuth_rad.push_back(6.2 * turn - 3.1);
+    d.elevation_rad.push_back(0.4 * double(i % 128) / 128.0 - 0.3);
+    d.echo.push_back(1);
+    d.range_m.push_back(20.0 + 15.0 * std::sin(40.0 * turn));
+  }
+  ASSERT_TRUE(open(folder_ / "truth"));
+  view().setCloud(desktop::CloudSource::Measured,
+                  std::make_shared<const desktop::PointCloud>(desktop::pointCloudOf(std::move(d))));
+  EXPECT_EQ(view().shownPoints(), kPoints);
+  for (const auto colour : {desktop::ColourBy::Source, desktop::ColourBy::Range}) {
+    view().setColourBy(colour);
+    view().repaint();
+    QElapsedTimer clock;
+    clock.start();
+    for (int k = 0; k < 20; ++k) {
+      QTest::keyClick(&view(), Qt::Key_Left);
+      view().repaint();
+    }
+    std::cout << "a frame of a million points at " << view().width() << " x " << view().height() << ": "
+              << double(clock.elapsed()) / 20.0 << " ms\n";
+  }
 }
 
 TEST_F(DesktopCloud, PicturesOfTheStreet) {

@@ -23,7 +23,7 @@ double lossRange(const model::BeamExplanation& beam) {
 SilentBeams silentBeams(const model::Explainer& explainer, int frame, const std::atomic<bool>& stop) {
   core::Detections d{.frame = {}, .layer = {}, .azimuth_rad = {}, .elevation_rad = {}, .echo = {}, .range_m = {}};
   std::vector<model::Reason> reasons;
-  double farthest_m = 10.0;
+  std::vector<double> losses_m;
   for (std::size_t b = 0; b < explainer.beams().size() && !stop; ++b) {
     const model::Reason reason = explainer.reasonOf(b, frame);
     if (reason == model::Reason::kDetected) continue;
@@ -35,10 +35,16 @@ SilentBeams silentBeams(const model::Explainer& explainer, int frame, const std:
     d.elevation_rad.push_back(beam.beam.elevation_rad);
     d.echo.push_back(0);
     d.range_m.push_back(lossRange(beam));
-    farthest_m = std::max(farthest_m, d.range_m.back());
+    if (d.range_m.back() > 0.0) losses_m.push_back(d.range_m.back());
+  }
+  double usual_m = 10.0;
+  if (!losses_m.empty()) {
+    const auto middle = losses_m.begin() + static_cast<std::ptrdiff_t>(losses_m.size() / 2);
+    std::nth_element(losses_m.begin(), middle, losses_m.end());
+    usual_m = *middle;
   }
   for (double& range_m : d.range_m) {
-    if (range_m == 0.0) range_m = farthest_m;
+    if (range_m == 0.0) range_m = usual_m;
   }
   return {.cloud = pointCloudOf(std::move(d)), .reasons = std::move(reasons)};
 }

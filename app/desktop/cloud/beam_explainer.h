@@ -15,7 +15,7 @@ namespace desktop {
 
 /// The beams of a frame from which a model reports nothing: where their light was lost, and why.
 struct SilentBeams {
-  PointCloud cloud;  ///< echo 0; the range of the strongest pulse or first hit, far out if there is neither
+  PointCloud cloud;  ///< echo 0; the range of the strongest pulse or first hit, the median of these if there is neither
   std::vector<model::Reason> reasons;
 };
 

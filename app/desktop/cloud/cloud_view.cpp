@@ -142,8 +142,9 @@ std::size_t CloudView::shownPoints() const {
 
 double CloudView::extent() const {
   double farthest = 1.0;
-  for (const Side& each : sides_) {
-    for (const Point3& point : each.cloud ? each.cloud->outline : std::vector<Point3>()) {
+  for (const CloudSource source : {CloudSource::Measured, CloudSource::Simulated}) {
+    const auto& cloud = side(source).cloud;
+    for (const Point3& point : cloud ? cloud->outline : std::vector<Point3>()) {
       farthest = std::max(farthest, std::hypot(point.x, point.y));
     }
   }
@@ -173,8 +174,10 @@ std::vector<Point3> CloudView::frameToFit() const {
   std::vector<Point3> frame;
   Point3 low{1e300, 1e300, 1e300};
   Point3 high{-1e300, -1e300, -1e300};
-  for (const Side& each : sides_) {
+  for (const CloudSource source : kAll) {
+    const Side& each = side(source);
     if (!each.cloud || !each.visible || each.cloud->size() == 0) continue;
+    if (source == CloudSource::Silent && !frame.empty()) continue;  // they may go to the horizon
     for (auto point = each.cloud->outline.begin() + 1; point != each.cloud->outline.end(); ++point) {
       frame.push_back(*point);
       low = {std::min(low.x, point->x), std::min(low.y, point->y), std::min(low.z, point->z)};
@@ -400,9 +403,9 @@ void CloudView::paintEvent(QPaintEvent*) {
   {
     QPainter ground(&canvas_);
     ground.setRenderHint(QPainter::Antialiasing);
-    drawGround(ground);
+    if (!nothingToShow()) drawGround(ground);
   }
-  drawPoints();
+  if (!nothingToShow()) drawPoints();
   QPainter painter(this);
   painter.drawImage(0, 0, canvas_);
   painter.setRenderHint(QPainter::Antialiasing);
