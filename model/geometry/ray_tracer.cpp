@@ -1,10 +1,12 @@
 #include "model/geometry/ray_tracer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <embree3/rtcore.h>
 #include <limits>
+#include <map>
 
 #include "model/scene/mesh.h"
 #include "model/scene/triangles.h"
@@ -96,6 +98,13 @@ RayHit meetExactly(const Surface& surface, const Ray& ray, double near_m, const 
   return hit;
 }
 
+/// A ray that meets an instance is turned into the frame of its mesh and starts over there. Few triangles are kept
+/// faster, and as cheaply, with the objects.
+bool isWorthSharing(const Triangles& mesh, std::size_t uses) {
+  constexpr std::size_t kManyTriangles = 10'000;
+  return uses > 1 && (uses - 1) * mesh.faces.size() >= kManyTriangles;
+}
+
 }  // namespace
 
 static_assert(sizeof(RayPacket) == sizeof(RTCRayHit16) && alignof(RayPacket) == alignof(RTCRayHit16) &&
@@ -123,11 +132,29 @@ void RayPacket::rewind() {
 }
 
 struct RayTracer::Embree {
+  std::atomic<std::int64_t> bytes = 0;  ///< before the device, which counts until it is gone
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   TimeSpan times;
   std::vector<Surface> surfaces;
   bool all_faceted = true;
+  bool any_instance = false;
+  std::map<const Triangles*, RTCScene> shared;  ///< meshes that stand in the scene more than once, while it is built
+
+  Embree() : device(rtcNewDevice(nullptr)) {
+    const auto count = [](void* total, ssize_t change, bool) {
+      *static_cast<std::atomic<std::int64_t>*>(total) += change;
+      return true;
+    };
+    rtcSetDeviceMemoryMonitorFunction(device, count, &bytes);
+    scene = newScene();
+  }
+
+  [[nodiscard]] RTCScene newScene() const {
+    RTCScene made = rtcNewScene(device);
+    rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
+    return made;
+  }
 
   ~Embree() {
     if (scene) rtcReleaseScene(scene);
@@ -146,10 +173,13 @@ struct RayTracer::Embree {
   }
 
   void addTriangles(const SceneObject& object, const Triangles& triangles, unsigned id) {
+    attach(trianglesAt(positionsOf(object), object.pose.rotation(), triangles), scene, id);
+  }
+
+  [[nodiscard]] RTCGeometry trianglesAt(const std::vector<Vector3>& positions, const std::array<Vector3, 3>& rotation,
+                                        const Triangles& triangles) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const auto positions = positionsOf(object);
     rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(positions.size()));
-    const auto rotation = object.pose.rotation();
     for (unsigned step = 0; step < positions.size(); ++step) {
       auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
           geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3, 3 * sizeof(float), triangles.vertices.size()));
@@ -162,7 +192,35 @@ struct RayTracer::Embree {
     auto* faces = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                                  3 * sizeof(unsigned), triangles.faces.size()));
     for (const auto& face : triangles.faces) faces = std::copy(face.begin(), face.end(), faces);
-    attach(geometry, id);
+    return geometry;
+  }
+
+  /// The mesh is kept once, in its own frame; every object is a pose of it.
+  void addInstance(const SceneObject& object, const Triangles& triangles, unsigned id) {
+    RTCScene& mesh = shared[&triangles];
+    if (!mesh) {
+      mesh = newScene();
+      constexpr std::array<Vector3, 3> kUpright{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+      attach(trianglesAt({Vector3{}}, kUpright, triangles), mesh, 0);
+      rtcCommitScene(mesh);
+    }
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, mesh);
+    const auto positions = positionsOf(object);
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(positions.size()));
+    const auto rotation = object.pose.rotation();
+    for (unsigned step = 0; step < positions.size(); ++step) {
+      std::array<float, 12> columns;
+      for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+          columns[3 * column + row] = static_cast<float>(rotation[row][column]);
+        }
+        columns[9 + row] = static_cast<float>(positions[step][row]);
+      }
+      rtcSetGeometryTransform(geometry, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+    }
+    attach(geometry, scene, id);
+    any_instance = true;
   }
 
   void addSphere(const SceneObject& object, double radius_m, unsigned id) {
@@ -175,37 +233,70 @@ struct RayTracer::Embree {
       for (std::size_t i = 0; i < 3; ++i) point[i] = static_cast<float>(positions[step][i]);
       point[3] = static_cast<float>(radius_m);
     }
-    attach(geometry, id);
+    attach(geometry, scene, id);
   }
 
-  void attach(RTCGeometry geometry, unsigned id) {
+  static void attach(RTCGeometry geometry, RTCScene to, unsigned id) {
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
+    rtcAttachGeometryByID(to, geometry, id);
     rtcReleaseGeometry(geometry);
   }
 
-  void add(const SceneObject& object, unsigned id, MeshLibrary& meshes) {
+  /// Each mesh with the number of objects that show it.
+  static std::map<const Triangles*, std::size_t> usesOf(const Scene& of, MeshLibrary& meshes) {
+    std::map<const Triangles*, std::size_t> uses;
+    for (const SceneObject& object : of.objects) {
+      if (const auto* mesh = std::get_if<Mesh>(&object.shape)) ++uses[&meshes.of(*mesh)];
+    }
+    return uses;
+  }
+
+  void build(const Scene& from) {
+    MeshLibrary meshes;  // a file that many objects share is read once
+    const auto uses = usesOf(from, meshes);
+    for (unsigned id = 0; id < from.objects.size(); ++id) {
+      const auto* mesh = std::get_if<Mesh>(&from.objects[id].shape);
+      const Triangles* triangles = mesh ? &meshes.of(*mesh) : nullptr;
+      add(from.objects[id], id, triangles, triangles && isWorthSharing(*triangles, uses.at(triangles)));
+    }
+    rtcCommitScene(scene);
+    for (const auto& [triangles, mesh] : shared) rtcReleaseScene(mesh);  // their instances keep them
+    shared.clear();
+  }
+
+  void add(const SceneObject& object, unsigned id, const Triangles* mesh, bool share) {
     const bool faceted = std::holds_alternative<Mesh>(object.shape);
     surfaces.push_back({object.shape, object.pose.position_m, object.velocity_m_s, object.pose.rotation(), faceted});
     all_faceted = all_faceted && faceted;
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       addSphere(object, sphere->radius_m, id);
+    } else if (share) {
+      addInstance(object, *mesh, id);
     } else {
-      const auto* mesh = std::get_if<Mesh>(&object.shape);
-      addTriangles(object, mesh ? meshes.of(*mesh) : trianglesOf(object.shape), id);
+      addTriangles(object, mesh ? *mesh : trianglesOf(object.shape), id);
+    }
+  }
+
+  /// What was met on an instance is told in the frame of its mesh; here it becomes the object's, in the scene's frame.
+  void tellInScene(RayPacket& packet) const {
+    for (std::size_t lane = 0; lane < RayPacket::kRays; ++lane) {
+      if (packet.geometry[lane] == RayPacket::kNothing || packet.instance[lane] == RayPacket::kNothing) continue;
+      packet.geometry[lane] = packet.instance[lane];
+      const Vector3 local{packet.normal_x[lane], packet.normal_y[lane], packet.normal_z[lane]};
+      const std::array<Vector3, 3>& rotation = surfaces[packet.geometry[lane]].rotation;
+      packet.normal_x[lane] = static_cast<float>(dot(rotation[0], local));
+      packet.normal_y[lane] = static_cast<float>(dot(rotation[1], local));
+      packet.normal_z[lane] = static_cast<float>(dot(rotation[2], local));
     }
   }
 };
 
 RayTracer::RayTracer(const Scene& scene, TimeSpan times) : embree_(std::make_unique<Embree>()) {
-  embree_->device = rtcNewDevice(nullptr);
-  embree_->scene = rtcNewScene(embree_->device);
   embree_->times = times;
-  rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
-  MeshLibrary meshes;                                       // a file that many objects share is read once
-  for (unsigned id = 0; id < scene.objects.size(); ++id) embree_->add(scene.objects[id], id, meshes);
-  rtcCommitScene(embree_->scene);
+  embree_->build(scene);
 }
+
+std::size_t RayTracer::memory_bytes() const noexcept { return static_cast<std::size_t>(embree_->bytes.load()); }
 
 RayTracer::~RayTracer() = default;
 RayTracer::RayTracer(RayTracer&&) noexcept = default;
@@ -217,6 +308,8 @@ void RayTracer::trace(std::span<RayPacket> packets) const {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersectNM(embree_->scene, &context, reinterpret_cast<RTCRayHitN*>(packets.data()), RayPacket::kRays,
                  static_cast<unsigned>(packets.size()), sizeof(RayPacket));
+  if (!embree_->any_instance) return;
+  for (RayPacket& packet : packets) embree_->tellInScene(packet);
 }
 
 float RayTracer::timeOf(double scene_time_s) const noexcept {

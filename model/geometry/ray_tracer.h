@@ -70,6 +70,8 @@ class RayTracer {
   /// Whether the packet's own numbers are all that is known of an object's surface (a mesh); else ask `exactly`.
   [[nodiscard]] bool isFaceted(std::int32_t object) const noexcept;
   [[nodiscard]] bool allFaceted() const noexcept;
+  /// What Embree holds for this scene. [bytes]
+  [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// What a ray met, from the shape's own equation.
   [[nodiscard]] RayHit exactly(const Ray& ray, const RayPacket& packet, std::size_t lane) const;
 
