@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/physics.h"
 #include "model/effects/declarations.h"
@@ -26,12 +27,17 @@ class Saturation final : public Effect {
     if (saturation_w_) settings.receiver.saturation_w = saturation_w_;
   }
   [[nodiscard]] bool changesEchoes() const override { return true; }
+  [[nodiscard]] double processesAbove_w(const Receiver& receiver) const override {
+    return receiver.saturation_w.value_or(std::numeric_limits<double>::infinity());
+  }
   void process(Echo& echo, const Receiver& receiver, const ChainSettings& settings) const override {
     if (!receiver.saturation_w) return;
     if (echo.peak_w <= *receiver.saturation_w) return;
-    const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(echo.peak_w / *receiver.saturation_w);
-    echo.epw_m += later_m;
-    if (settings.detection.range_mode == RangeMode::kCentre) echo.range_m += later_m / 4.0;
+    if (recovery_ns_ > 0.0) {
+      const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(echo.peak_w / *receiver.saturation_w);
+      echo.epw_m += later_m;
+      if (settings.detection.range_mode == RangeMode::kCentre) echo.range_m += later_m / 4.0;
+    }
     echo.peak_w = *receiver.saturation_w;
   }
 

@@ -41,6 +41,12 @@ FIDELIS_FOR_EVERY_PROCESSOR void toSteps(std::size_t count, double step, double*
   for (std::size_t i = 0; i < count; ++i) values[i] = std::floor(values[i] / step + 0.5) * step;
 }
 
+FIDELIS_FOR_EVERY_PROCESSOR void blurred(std::size_t count, double scale, double offset, double stddev,
+                                         const float* __restrict noise, double* __restrict values) {
+  for (std::size_t i = 0; i < count; ++i)
+    values[i] = scale * values[i] + offset + stddev * static_cast<double>(noise[i]);
+}
+
 FIDELIS_FOR_EVERY_PROCESSOR void scale(std::size_t count, double factor, double* __restrict values) {
   for (std::size_t i = 0; i < count; ++i) values[i] *= factor;
 }
@@ -76,18 +82,6 @@ std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const
   return echo;
 }
 
-void LonePulses::clear() {
-  beam_.clear();
-  pulse_range_m_.clear();
-  power_w_.clear();
-}
-
-void LonePulses::add(std::uint32_t beam, const Pulse& pulse) {
-  beam_.push_back(beam);
-  pulse_range_m_.push_back(pulse.range_m);
-  power_w_.push_back(pulse.power_w);
-}
-
 void LonePulses::fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain) {
   const std::size_t count = size();
   for (auto* column : {&ratio_, &log_, &range_m_, &epw_m_, &peak_w_}) column->resize(count);
@@ -101,11 +95,17 @@ void LonePulses::fire(const ChainSettings& settings, const core::Random::Key& fr
            epw_m_.data());
 }
 
-void LonePulses::setEcho(std::size_t i, const Echo& echo) {
-  range_m_[i] = echo.range_m;
-  epw_m_[i] = echo.epw_m;
-  peak_w_[i] = echo.peak_w;
-  if (echo.fate != Fate::kDetected) ratio_[i] = 0.0;
+void LonePulses::blur(const ChainSettings& settings) {
+  const DetectionStage& stage = settings.detection;
+  blurred(size(), settings.range_scale, settings.range_offset_m, stage.range_noise_m, noise_[1].data(),
+          range_m_.data());
+  blurred(size(), 1.0, 0.0, stage.epw_noise_m, noise_[2].data(), epw_m_.data());
+}
+
+void blur(Echo& echo, const ChainSettings& settings, const ShotNoise& noise) {
+  const DetectionStage& stage = settings.detection;
+  blurred(1, settings.range_scale, settings.range_offset_m, stage.range_noise_m, &noise.range, &echo.range_m);
+  blurred(1, 1.0, 0.0, stage.epw_noise_m, &noise.epw, &echo.epw_m);
 }
 
 void LonePulses::count(const DetectionStage& stage) {

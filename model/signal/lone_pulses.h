@@ -26,8 +26,16 @@ struct ShotNoise {
 ///   range       r, or r - h at the leading edge;   EPW = 4 h on the one-way axis
 class LonePulses {
  public:
-  void clear();
-  void add(std::uint32_t beam, const Pulse& pulse);
+  void clear() {
+    beam_.clear();
+    pulse_range_m_.clear();
+    power_w_.clear();
+  }
+  void add(std::uint32_t beam, const Pulse& pulse) {
+    beam_.push_back(beam);
+    pulse_range_m_.push_back(pulse.range_m);
+    power_w_.push_back(pulse.power_w);
+  }
   [[nodiscard]] std::size_t size() const noexcept { return beam_.size(); }
   [[nodiscard]] std::uint32_t beam(std::size_t i) const { return beam_[i]; }
 
@@ -36,9 +44,17 @@ class LonePulses {
   void fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain);
   /// Whether the last shot of beam i was above the threshold, and its echo.
   [[nodiscard]] bool detected(std::size_t i) const { return ratio_[i] > 1.0; }
+  [[nodiscard]] double peak_w(std::size_t i) const { return peak_w_[i]; }
   [[nodiscard]] Echo echo(std::size_t i) const { return {range_m_[i], epw_m_[i], peak_w_[i]}; }
   /// One that is no longer detected is forgotten.
-  void setEcho(std::size_t i, const Echo& echo);
+  void setEcho(std::size_t i, const Echo& echo) {
+    range_m_[i] = echo.range_m;
+    epw_m_[i] = echo.epw_m;
+    peak_w_[i] = echo.peak_w;
+    if (echo.fate != Fate::kDetected) ratio_[i] = 0.0;
+  }
+  /// Time base, offset and the noise of the measured quantities.
+  void blur(const ChainSettings& settings);
   /// Rounds all echoes as the sensor's counters do.
   void count(const DetectionStage& stage);
   [[nodiscard]] ShotNoise noise(std::size_t i) const { return {noise_[0][i], noise_[1][i], noise_[2][i]}; }
@@ -49,6 +65,9 @@ class LonePulses {
   std::vector<double> ratio_, log_, range_m_, epw_m_, peak_w_;
   std::vector<float> noise_[4];
 };
+
+/// The same for one echo, to the last bit.
+void blur(Echo& echo, const ChainSettings& settings, const ShotNoise& noise);
 
 /// One of them, to the last bit as `LonePulses` does it: its raw echo, nothing if it stays below the threshold.
 [[nodiscard]] std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const ChainSettings& settings,

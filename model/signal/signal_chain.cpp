@@ -79,11 +79,13 @@ void putInOrder(std::vector<Shot>& shots) {
 }
 
 std::vector<Shot> joined(const std::vector<std::vector<Shot>>& pieces) {
-  std::size_t total = 0;
-  for (const auto& piece : pieces) total += piece.size();
-  std::vector<Shot> shots;
-  shots.reserve(total);
-  for (const auto& piece : pieces) shots.insert(shots.end(), piece.begin(), piece.end());
+  std::vector<std::size_t> first(1, 0);
+  for (const auto& piece : pieces) first.push_back(first.back() + piece.size());
+  std::vector<Shot> shots(first.back());
+  core::parallelFor(pieces.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      std::copy(pieces[p].begin(), pieces[p].end(), shots.begin() + static_cast<std::ptrdiff_t>(first[p]));
+  });
   return shots;
 }
 
@@ -251,14 +253,6 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   }
 }
 
-/// What the pre-processing makes of an echo, its own noise included.
-void SignalChain::blur(Echo& echo, const Receiver& receiver, const ShotNoise& noise) const {
-  for (const Effect* effect : echo_effects_) effect->process(echo, receiver, settings_);
-  echo.range_m = settings_.range_scale * echo.range_m + settings_.range_offset_m +
-                 settings_.detection.range_noise_m * static_cast<double>(noise.range);
-  echo.epw_m += settings_.detection.epw_noise_m * static_cast<double>(noise.epw);
-}
-
 /// Counters are coarse, and nobody reports what lies outside the window.
 void SignalChain::count(Echo& echo) const {
   const DetectionStage& stage = settings_.detection;
@@ -284,7 +278,8 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
     });
   };
   for (std::size_t e = 0; e < echoes.size(); ++e) {
-    blur(echoes[e], receiver, noiseOf(key, static_cast<std::uint32_t>(e)));
+    for (const Effect* effect : echo_effects_) effect->process(echoes[e], receiver, settings_);
+    blur(echoes[e], settings_, noiseOf(key, static_cast<std::uint32_t>(e)));
   }
   for (const Drawing& drawing : reporting_effects_) {
     core::Random own(drawing.keyOf(key));
@@ -357,12 +352,16 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
       scratch.gain[i] = gainOf(traced.beams[lone.beam(i) - scratch.first_beam], shot);
     }
     lone.fire(settings_, key, scratch.gain);
-    for (std::size_t i = 0; i < lone.size(); ++i) {
-      if (!lone.detected(i)) continue;
-      Echo echo = lone.echo(i);
-      blur(echo, settings_.receiver, lone.noise(i));
-      lone.setEcho(i, echo);
+    for (const Effect* effect : echo_effects_) {
+      const double least_w = effect->processesAbove_w(settings_.receiver);
+      for (std::size_t i = 0; i < lone.size(); ++i) {
+        if (!lone.detected(i) || lone.peak_w(i) <= least_w) continue;
+        Echo echo = lone.echo(i);
+        effect->process(echo, settings_.receiver, settings_);
+        lone.setEcho(i, echo);
+      }
     }
+    lone.blur(settings_);
     lone.count(settings_.detection);
     for (std::size_t i = 0; i < lone.size(); ++i) {
       const Echo echo = lone.echo(i);

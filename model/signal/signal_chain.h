@@ -103,7 +103,6 @@ class SignalChain {
   [[nodiscard]] Echo toEcho(const Stretch& stretch) const;
   void fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
   [[nodiscard]] double gainOf(const Beam& beam, const core::Random::Key& shot) const;
-  void blur(Echo& echo, const Receiver& receiver, const ShotNoise& noise) const;
   void count(Echo& echo) const;
   [[nodiscard]] bool insideWindow(const Echo& echo) const;
   void finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
