@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "gap/settle.h"
+#include "gap/starts.h"
 
 namespace gap {
 
@@ -19,19 +20,6 @@ constexpr int kNullRuns = 6;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
 constexpr double kNearlyAsGood = 0.25;        // in merit: farther behind no refinement helps
-
-/// Smallest distance of two different measured ranges: the step of a counter shows in its values.
-double smallestRangeStep_m(const Replay& replay) {
-  double step = std::numeric_limits<double>::infinity();
-  for (const ReplaySample& sample : replay.samples()) {
-    std::vector<double> values = sample.measured.range_m;
-    std::sort(values.begin(), values.end());
-    for (std::size_t i = 1; i < values.size(); ++i) {
-      if (values[i] - values[i - 1] > 1e-6) step = std::min(step, values[i] - values[i - 1]);
-    }
-  }
-  return step;
-}
 
 Split withRefined(Split split) {
   split.refined = split.fitted;
@@ -51,36 +39,6 @@ Candidate judged(const Replay& replay, const Split& split, const Yardstick& yard
 }
 
 }  // namespace
-
-std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
-                                            const std::vector<WhereRow>& where) {
-  const double half_deg = azimuthStep_deg(replay) / 2.0;
-  std::vector<std::vector<double>> starts;
-  for (const FreeParameter& parameter : hypothesis.parameters) {
-    if (hypothesis.parameters.size() == 1 && parameter.name == "range_step_m")
-      starts.push_back({smallestRangeStep_m(replay)});
-  }
-  for (const WhereRow& row : where) {
-    if (row.covariate != "azimuth_deg" || starts.size() >= 12) continue;
-    std::vector<double> start;
-    bool sector = false;
-    for (const FreeParameter& parameter : hypothesis.parameters) {
-      const bool from = parameter.name == "azimuth_from_deg", to = parameter.name == "azimuth_to_deg";
-      sector = sector || from || to;
-      start.push_back(from ? row.low - half_deg : to ? row.high + half_deg : parameter.start);
-    }
-    if (!sector) continue;
-    for (const double share : {0.06, 0.15, 0.35, 0.7}) {  // how strong the sector is, the map does not say
-      std::vector<double> strength = start;
-      for (std::size_t i = 0; i < start.size(); ++i) {
-        const FreeParameter& p = hypothesis.parameters[i];
-        if (p.unit != "deg") strength[i] = p.low + share * (p.high - p.low);
-      }
-      starts.push_back(strength);
-    }
-  }
-  return starts;
-}
 
 double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick, const Candidate& candidate) {
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
@@ -134,18 +92,18 @@ Split splitByBeams(const Replay& replay, std::uint64_t seed) {
   return withRefined(split);
 }
 
-Yardstick yardstickOf(const Replay& replay, const Split& split) {
+Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   Yardstick yardstick;
   const World& world = replay.baseline();
-  yardstick.baseline = discrepancyOf(replay, world, split.held_out);
+  yardstick.baseline = discrepancyOf(replay, world, held_out);
   std::vector<double> runs(kNullRuns);
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
-    runs[begin] = selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 1000 + begin);
+    runs[begin] = selfDiscrepancy(replay, world, held_out, held_out.seed + 1000 + begin);
   });
   for (const double run : runs) yardstick.perfect += run / kNullRuns;
   double squares = 0.0;
   for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
-  const double offsets = static_cast<double>(offsetsFor(replay, world, split.held_out.samples));
+  const double offsets = static_cast<double>(offsetsFor(replay, world, held_out.samples));
   yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1) + offsets / 2.0);
   return yardstick;
 }

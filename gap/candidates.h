@@ -46,7 +46,7 @@ struct Yardstick {
   [[nodiscard]] double z() const;
 };
 
-[[nodiscard]] Yardstick yardstickOf(const Replay& replay, const Split& split);
+[[nodiscard]] Yardstick yardstickOf(const Replay& replay, const Evidence& held_out);
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
@@ -56,10 +56,6 @@ struct Yardstick {
 /// Fits the leaders again with more frames, and judges them again; best merit first.
 void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
             const core::Progress& progress);
-
-/// Values that the map of residuals suggests: sector ends half a beam outside the strata where the gap lies.
-[[nodiscard]] std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
-                                                          const std::vector<WhereRow>& where);
 
 /// Share of what there is to explain on held-out data that a candidate explains with its values.
 [[nodiscard]] double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick,

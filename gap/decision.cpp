@@ -58,12 +58,13 @@ class TotalGaps {
   double baseline_;
 };
 
-/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap.
-bool earnsItsSecond(const Rest& single, const Rest& pair) {
-  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && single.discrepancy - pair.discrepancy > 0.05;
-  const bool smaller =
-      single.total > kMaterialRest && pair.total < kPairGain * single.total && pair.discrepancy < single.discrepancy;
-  return closer || smaller;
+/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
+/// noise of the explained share.
+bool earnsItsSecond(const Rest& single, const Rest& pair, double noise) {
+  const double gain = single.discrepancy - pair.discrepancy;
+  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;
+  const bool smaller = single.total > kMaterialRest && pair.total < kPairGain * single.total;
+  return gain > 3.0 * noise && (closer || smaller);
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ Decision decide(const Replay& replay, const Split& split, const Yardstick& yards
   polish(replay, split, yardstick, pairs, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
   const Candidate& pair = pairs.front();
-  if (!earnsItsSecond(rest, totals.restOf(pair))) return decision;
+  if (!earnsItsSecond(rest, totals.restOf(pair), spread)) return decision;
   decision.winner = pair;
   const auto& members = pair.hypothesis.members;
   const bool an_effect =

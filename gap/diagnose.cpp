@@ -18,6 +18,8 @@ namespace {
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;   // of the gap being present at all
 constexpr double kClear = 5.0;           // standard deviations: a gap beyond doubt
+constexpr double kMaterialTotal = 1.5;   // times the total gap of a right model
+constexpr double kMuchClearer = 3.0;     // so much more must one part of the samples show than the other
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
@@ -176,18 +178,14 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const Replay replay(experiment, model);
   progress.report(0.05, "comparing with the baseline");
   Split split = splitOf(replay, seed);
-  Yardstick yardstick = yardstickOf(replay, split);
-  double z = yardstick.z();
-  if (z < kClear) {
-    // The gap may lie in samples that were not held out only: then beams of all samples judge.
-    const Split by_beams = splitByBeams(replay, seed);
-    const Yardstick of_all = yardstickOf(replay, by_beams);
-    if (of_all.z() > kClear) {
-      split = by_beams;
-      yardstick = of_all;
-      z = of_all.z();
-    }
+  Yardstick yardstick = yardstickOf(replay, split.held_out);
+  const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, split.fitted).z();
+  if (std::min(z_held, z_fitted) < std::min(kClear, std::max(z_held, z_fitted) / kMuchClearer)) {
+    // The gap shows in held-out samples only, or in the others only: then beams of all samples judge.
+    split = splitByBeams(replay, seed);
+    yardstick = yardstickOf(replay, split.held_out);
   }
+  const double z = yardstick.z();
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
 
   Diagnosis diagnosis;
@@ -198,7 +196,10 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   diagnosis.weak_hold_out = split.weak;
   for (const std::size_t s : split.held_out.samples) diagnosis.held_out.push_back(replay.samples()[s].sample->id);
   diagnosis.p_value = boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -37.0, 37.0)));
-  diagnosis.present = diagnosis.p_value < kSignificance && where.largest_steps >= kMaterialSteps;
+  const double total = totalOf(replay, replay.baseline(), split.held_out.samples, seed);
+  const double floor = selfTotalOf(replay, replay.baseline(), split.held_out.samples, seed);
+  const bool material = where.largest_steps >= kMaterialSteps || total > kMaterialTotal * floor;
+  diagnosis.present = diagnosis.p_value < kSignificance && material;
 
   Decision decision;
   if (diagnosis.present) {

@@ -55,6 +55,25 @@ void orderSector(Hypothesis& hypothesis) {
   };
 }
 
+/// A cloud may hang anywhere in front of the sensor, at its height.
+void placeCloud(Hypothesis& hypothesis) {
+  const auto inner = hypothesis.apply;
+  const std::size_t x = hypothesis.parameters.size();
+  const std::string effect = hypothesis.name;
+  hypothesis.parameters.push_back({"centre_x_m", "m", 0.5, 60.0, false, 10.0});
+  hypothesis.parameters.push_back({"centre_y_m", "m", -30.0, 30.0, false, 0.0});
+  hypothesis.apply = [inner, x, effect](World& world, const std::vector<double>& values) {
+    inner(world, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(x)});
+    for (const model::ActiveEffect& active : world.model.effects) {
+      if (active.name != effect) continue;
+      model::EffectParameters parameters = active.parameters;
+      parameters.lists["centre"] = {values[x], values[x + 1], 0.0};
+      world.model = model::withEffect(world.model, effect, parameters);
+      return;
+    }
+  };
+}
+
 /// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
 bool hasSubject(const Replay& replay, const model::EffectEntry& entry) {
   const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
@@ -81,6 +100,7 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
     if (!hasSubject(replay, entry)) continue;
     list.push_back(effectHypothesis(info, info.fitted, ""));
     orderSector(list.back());
+    if (info.name == "exhaust-cloud") placeCloud(list.back());
     if (info.name == "angular-reflection") list.push_back(effectHypothesis(info, {"roughness_rad"}, "oren-nayar"));
     if (info.name == "range-walk") {
       list.push_back(effectHypothesis(info, {}, "bare crossing"));
@@ -121,8 +141,8 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
     add(root + "/emitter/pulse_fwhm_ns", 3.0);
     add(root + "/receiver/noise_w", 10.0);
     add(root + "/receiver/threshold_w", 5.0);
-    add(root + "/detection/range_noise_m", 6.0);
-    add(root + "/detection/epw_noise_m", 6.0);
+    add(root + "/detection/range_noise_m", 20.0);
+    add(root + "/detection/epw_noise_m", 20.0);
     if (replay.baseline().model.has("beam-divergence")) {
       add(root + "/emitter/divergence_rad/horizontal", 3.0);
       add(root + "/emitter/divergence_rad/vertical", 3.0);

@@ -12,6 +12,7 @@
 
 #include "core/parallel.h"
 #include "gap/signatures.h"
+#include "gap/starts.h"
 
 namespace gap {
 

@@ -1,0 +1,140 @@
+#include "gap/starts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "core/physics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kMostStrata = 4;                     // of azimuth, and of range
+constexpr double kStrengths[] = {0.06, 0.15, 0.35, 0.7};   // how strong the cause is there, the map does not say
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};  // of a cloud in a direction
+
+/// Smallest distance of two different measured ranges: the step of a counter shows in its values.
+double smallestRangeStep_m(const Replay& replay) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ReplaySample& sample : replay.samples()) {
+    std::vector<double> values = sample.measured.range_m;
+    std::sort(values.begin(), values.end());
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      if (values[i] - values[i - 1] > 1e-6) step = std::min(step, values[i] - values[i - 1]);
+    }
+  }
+  return step;
+}
+
+struct Stratum {
+  double low, high;
+};
+
+std::vector<Stratum> strataOf(const std::vector<WhereRow>& where, const std::string& covariate) {
+  std::vector<Stratum> strata;
+  for (const WhereRow& row : where) {
+    const auto same = [&](const Stratum& s) { return s.low == row.low && s.high == row.high; };
+    if (row.covariate != covariate || strata.size() >= kMostStrata) continue;
+    if (std::none_of(strata.begin(), strata.end(), same)) strata.push_back({row.low, row.high});
+  }
+  return strata;
+}
+
+/// The starts of a hypothesis, built up parameter by parameter.
+class Starts {
+ public:
+  explicit Starts(const Hypothesis& hypothesis) : parameters_(hypothesis.parameters) {
+    for (const FreeParameter& parameter : parameters_) typical_.push_back(parameter.start);
+  }
+
+  [[nodiscard]] bool has(const std::string& name) const { return place(name).has_value(); }
+  using Setting = std::vector<std::pair<std::string, double>>;
+  void add(const Setting& setting) {
+    std::vector<double> start = typical_;
+    for (const auto& [name, value] : setting) {
+      if (const auto at = place(name)) start[*at] = std::clamp(value, parameters_[*at].low, parameters_[*at].high);
+    }
+    list_.push_back(std::move(start));
+  }
+  /// Every start so far with several values of `strength`.
+  void vary(const std::vector<std::string>& settled) {
+    std::vector<std::vector<double>> varied;
+    for (const auto& start : list_) {
+      for (const double share : kStrengths) {
+        varied.push_back(start);
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+          const FreeParameter& p = parameters_[i];
+          if (std::count(settled.begin(), settled.end(), p.name) > 0) continue;
+          varied.back()[i] = p.logarithmic ? p.low * std::pow(p.high / p.low, share) : p.low + share * (p.high - p.low);
+        }
+      }
+    }
+    list_ = std::move(varied);
+  }
+  [[nodiscard]] std::vector<std::vector<double>> list() const { return list_; }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> place(const std::string& name) const {
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      if (parameters_[i].name == name) return i;
+    }
+    return std::nullopt;
+  }
+  const std::vector<FreeParameter>& parameters_;
+  std::vector<double> typical_;
+  std::vector<std::vector<double>> list_;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
+                                            const std::vector<WhereRow>& where) {
+  const double half_deg = azimuthStep_deg(replay) / 2.0;
+  const auto azimuths = strataOf(where, "azimuth_deg"), ranges = strataOf(where, "range_m");
+  Starts starts(hypothesis);
+  if (hypothesis.parameters.size() == 1 && starts.has("range_step_m"))
+    starts.add({{"range_step_m", smallestRangeStep_m(replay)}});
+  if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) {
+    for (const Stratum& a : azimuths)
+      starts.add({{"azimuth_from_deg", a.low - half_deg}, {"azimuth_to_deg", a.high + half_deg}});
+    starts.vary({"azimuth_from_deg", "azimuth_to_deg"});
+  }
+  if (starts.has("azimuth_deg")) {
+    for (const Stratum& a : azimuths) {
+      const Starts::Setting there = {{"azimuth_deg", (a.low + a.high) / 2.0},
+                                     {"width_deg", a.high - a.low + 2.0 * half_deg}};
+      if (!starts.has("range_m")) starts.add(there);
+      for (const Stratum& r : ranges) {
+        Starts::Setting at = there;
+        at.emplace_back("range_m", (r.low + r.high) / 2.0);
+        if (starts.has("range_m")) starts.add(at);
+      }
+    }
+    if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
+  }
+  if (starts.has("from_m") && starts.has("to_m")) {
+    constexpr double kFar_m = 1e9, kBit_m = 0.01;
+    for (const Stratum& r : ranges) {
+      starts.add({{"from_m", r.high + kBit_m}, {"to_m", kFar_m}});
+      starts.add({{"from_m", 0.0}, {"to_m", r.low - kBit_m}});
+    }
+  }
+  if (starts.has("centre_x_m") && starts.has("centre_y_m")) {
+    for (const Stratum& a : azimuths) {
+      const double azimuth_rad = (a.low + a.high) / 2.0 * core::kRadPerDeg;
+      const double width_rad = (a.high - a.low + 2.0 * half_deg) * core::kRadPerDeg;
+      for (const double r : kDistances_m) {
+        starts.add({{"centre_x_m", r * std::cos(azimuth_rad)},
+                    {"centre_y_m", r * std::sin(azimuth_rad)},
+                    {"size_m", r * width_rad}});
+      }
+    }
+    starts.vary({"centre_x_m", "centre_y_m", "size_m"});
+  }
+  return starts.list();
+}
+
+}  // namespace gap
