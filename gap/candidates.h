@@ -48,6 +48,13 @@ struct Yardstick {
 
 [[nodiscard]] Yardstick yardstickOf(const Replay& replay, const Evidence& held_out);
 
+/// Data on which candidates are fitted and judged.
+struct Judge {
+  const Replay& replay;
+  Split split;
+  Yardstick yardstick;
+};
+
 /// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
                                           const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,

@@ -98,18 +98,19 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) cells_.push_back({.beam = b});
 }
 
-std::vector<double> CellLayout::rangesIn(const model::BeamHits& hits) const {
-  std::vector<double> ranges(surfaces_, std::numeric_limits<double>::quiet_NaN());
+std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) const {
+  std::vector<Seen> seen(surfaces_, {std::numeric_limits<double>::quiet_NaN(), 0.0});
   for (std::size_t c = 0; c < surfaces_; ++c) {
     double weight = 0.0, sum = 0.0;
     for (const model::Hit& hit : hits.of(cells_[c].beam)) {
       if (hit.object != cells_[c].object) continue;
       weight += hits.rays.weight[hit.ray];
       sum += hits.rays.weight[hit.ray] * hit.range_m;
+      seen[c].power += hits.rays.weight[hit.ray] * static_cast<double>(hit.cos_incidence) / (hit.range_m * hit.range_m);
     }
-    if (weight > 0.0) ranges[c] = sum / weight;
+    if (weight > 0.0) seen[c].range_m = sum / weight;
   }
-  return ranges;
+  return seen;
 }
 
 std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {

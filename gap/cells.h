@@ -48,8 +48,13 @@ class CellLayout {
   [[nodiscard]] std::size_t surfaces() const noexcept { return surfaces_; }
   [[nodiscard]] bool pooled() const noexcept { return pooled_; }
 
-  /// Mean range of every surface cell in other geometry; NaN where its object is not met. [m]
-  [[nodiscard]] std::vector<double> rangesIn(const model::BeamHits& hits) const;
+  /// What every surface cell would be in other geometry: mean range (NaN where its object is not met) and received
+  /// power, in any unit, which falls with r⁻² and the share of the beam that the object leaves.
+  struct Seen {
+    double range_m;
+    double power;
+  };
+  [[nodiscard]] std::vector<Seen> seenIn(const model::BeamHits& hits) const;
 
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<model::Shot>& shots) const;
   /// `beam_of[i]` is the beam of detection i.

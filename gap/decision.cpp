@@ -110,28 +110,30 @@ std::vector<std::string> Decision::names() const {
   return effects.empty() ? all : effects;
 }
 
-Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                const std::vector<WhereRow>& where, const std::vector<std::string>& library, core::Progress& progress) {
+Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereRow>& where,
+                const std::vector<std::string>& library, core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
-  decision.singles = rank(replay, split, yardstick, hypothesesFor(replay, library), where, first);
-  polish(replay, split, yardstick, decision.singles, progress);
+  decision.singles =
+      rank(quick.replay, quick.split, quick.yardstick, hypothesesFor(quick.replay, library), where, first);
+  polish(exact.replay, exact.split, exact.yardstick, decision.singles, progress);
   const Candidate& best = decision.singles.front();
-  const double spread =
+  const Yardstick& yardstick = exact.yardstick;
+  const double noise =
       std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);
-  const double enough = std::max(kWeakGap, kExplains - 2.0 * spread);
+  const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
   if (best.explained >= enough) {
     decision.winner = best;
     decision.kind = kindOf(best.hypothesis.kind);
   }
-  const TotalGaps totals(replay, split);
+  const TotalGaps totals(exact.replay, exact.split);
   const Rest rest = totals.restOf(best);
   if ((rest.discrepancy < 1.0 - kLooksFurther && rest.total < kMaterialRest) || best.explained < 0.1) return decision;
-  std::vector<Candidate> pairs = rankPairs(replay, split, yardstick, decision.singles, second);
-  polish(replay, split, yardstick, pairs, progress);
+  std::vector<Candidate> pairs = rankPairs(quick.replay, quick.split, quick.yardstick, decision.singles, second);
+  polish(exact.replay, exact.split, exact.yardstick, pairs, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
   const Candidate& pair = pairs.front();
-  if (!earnsItsSecond(rest, totals.restOf(pair), spread)) return decision;
+  if (!earnsItsSecond(rest, totals.restOf(pair), noise)) return decision;
   decision.winner = pair;
   const auto& members = pair.hypothesis.members;
   const bool an_effect =

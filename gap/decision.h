@@ -21,10 +21,10 @@ struct Decision {
 };
 
 /// Fits and judges every hypothesis alone; in pairs as long as something material is left that the best one does not
-/// explain. docs/diagnosis.md gives the reasons for its bounds.
-[[nodiscard]] Decision decide(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                              const std::vector<WhereRow>& where, const std::vector<std::string>& library,
-                              core::Progress& progress);
+/// explain. `quick` sees some of the beams only and makes the choice of candidates; `exact` decides between them.
+/// docs/diagnosis.md gives the reasons for the bounds.
+[[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereRow>& where,
+                              const std::vector<std::string>& library, core::Progress& progress);
 
 /// Share of belief of each candidate; the rest belongs to what none of them says. `weak`: no whole sample was held out.
 [[nodiscard]] std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak);

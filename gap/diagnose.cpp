@@ -16,11 +16,12 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kSignificance = 1e-3;   // of the gap being present at all
-constexpr double kClear = 5.0;           // standard deviations: a gap beyond doubt
-constexpr double kMaterialTotal = 1.5;   // times the total gap of a right model
-constexpr double kMuchClearer = 3.0;     // so much more must one part of the samples show than the other
-constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
+constexpr double kSignificance = 1e-3;    // of the gap being present at all
+constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
+constexpr double kMaterialTotal = 1.5;    // times the total gap of a right model
+constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
+constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
+constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -98,13 +99,13 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
 }
 
 /// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.
-void fillWinner(const Replay& replay, const Split& split, const Decision& decision, const World& after,
+void fillWinner(const Replay& quick, const Split& split, const Decision& decision, const World& after,
                 const BeforeAfter& far, Diagnosis& diagnosis, core::Progress& progress) {
   diagnosis.after = far.after;
   diagnosis.shrink = far.shrink;
   progress.report(0.92, "intervals of the parameters");
   const auto intervals =
-      parameterIntervals(replay, decision.winner->hypothesis, decision.winner->values, split.refined, progress);
+      parameterIntervals(quick, decision.winner->hypothesis, decision.winner->values, split.refined, progress);
   std::size_t used = 0;
   for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
@@ -114,8 +115,8 @@ void fillWinner(const Replay& replay, const Split& split, const Decision& decisi
       parameter.interval = intervals[used++];
     }
   }
-  const bool in_model_file = after.reflectivity.empty() && after.references.empty();
-  if (in_model_file) {
+  // Materials and references stand in the experiment; what belongs to the model is proposed even beside them.
+  if (after.model.json != quick.baseline().model.json) {
     diagnosis.proposed_model = after.model.json;
     diagnosis.proposed_model["id"] = after.model.id + "-proposed";
   }
@@ -176,6 +177,9 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const std::uint64_t seed = options.seed.value_or(model.seed);
   progress.report(0.0, "tracing the samples");
   const Replay replay(experiment, model);
+  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams);
+  if (!few_beams->thinned()) few_beams.reset();
+  const Replay& quick = few_beams ? *few_beams : replay;
   progress.report(0.05, "comparing with the baseline");
   Split split = splitOf(replay, seed);
   Yardstick yardstick = yardstickOf(replay, split.held_out);
@@ -203,7 +207,8 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
 
   Decision decision;
   if (diagnosis.present) {
-    decision = decide(replay, split, yardstick, where.rows, options.library, progress);
+    decision = decide({quick, split, yardstickOf(quick, split.held_out)}, {replay, split, yardstick}, where.rows,
+                      options.library, progress);
     diagnosis.verdict.kind = decision.kind;
   } else {
     diagnosis.verdict.kind = VerdictKind::kNone;
@@ -215,7 +220,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   diagnosis.before = far.before;
   diagnosis.bias_intervals = far.bias_intervals;
   fillCauses(replay, split, decision, seed, diagnosis);
-  if (decision.winner) fillWinner(replay, split, decision, after, far, diagnosis, progress);
+  if (decision.winner) fillWinner(quick, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
   diagnosis.curves =
       beforeAfterValues(replay, where.tables, split.held_out.samples, decision.winner ? &after : nullptr, seed);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+
+#include "core/physics.h"
 
 namespace gap {
 
@@ -10,9 +13,10 @@ namespace {
 
 constexpr double kFloorSteps = 0.2;        // of the resolution: smaller mean differences are not worth explaining
 constexpr double kIntensityFloor = 0.004;  // relative: sub-ray grids of two programs agree no better
-constexpr double kRateFloor = 0.03;        // detections per frame and cell
-constexpr double kSpreadFloor = 0.05;      // of the logarithm of a variance
-constexpr double kLostCell = 20.0;         // z per channel of a surface that only one side detects in every frame
+constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
+constexpr double kRateFloor = 0.03;    // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;  // of the logarithm of a variance
+constexpr double kLostCell = 20.0;     // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
@@ -43,10 +47,28 @@ double squaredFloor(const Replay& replay, Channel channel, double value) {
   return steps * steps + relative * relative;
 }
 
-double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames) {
+double deviationOf(const ReplaySample& sample, std::size_t cell) {
+  return cell < sample.power_deviation.size() ? static_cast<double>(sample.power_deviation[cell]) : 0.0;
+}
+
+/// What the reference's tolerance does to a mean by way of the received power (settle.h moves what is common to a
+/// surface; this is for edges, of which every one moves otherwise).
+double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                        const CellStatistics& simulated) {
+  const double of_power = deviationOf(sample, cell), mean = simulated.mean(channel);
+  if (of_power == 0.0 || channel == kRange) return 0.0;
+  if (channel == kIntensity) return mean * mean * of_power * of_power;
+  const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
+  const double pulse_m = core::kMetresPerNanosecond * sensor.emitter.pulse_fwhm_ns;
+  const double of_width = pulse_m * pulse_m / (2.0 * std::numbers::ln2 * std::max(0.2 * pulse_m, mean)) * of_power;
+  return of_width * of_width;
+}
+
+double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
   const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
   const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
-  const double error = variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor;
+  const double error =
+      variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor + of_power * of_power;
   return rho((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
 }
 
@@ -103,17 +125,21 @@ bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
   return odd == (half == Half::kOdd);
 }
 
-double comparableError(const Replay& replay, const ReplaySample& sample, Channel channel,
+double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
                        const CellStatistics& measured, const CellStatistics& simulated) {
   const double variance = pooledVariance(measured, simulated, channel, priorVariance(replay, sample, channel));
   return std::sqrt(variance / measured.count + variance / simulated.count +
-                   squaredFloor(replay, channel, simulated.mean(channel)));
+                   squaredFloor(replay, channel, simulated.mean(channel)) +
+                   squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
-double meanError(const Replay& replay, Channel channel, const CellStatistics& a, const CellStatistics& b) {
+double meanError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                 const CellStatistics& measured, const CellStatistics& simulated) {
   const double prior = replay.resolution(channel) * replay.resolution(channel) / 12.0;
-  const double variance = pooledVariance(a, b, channel, prior);
-  return std::sqrt(variance / a.count + variance / b.count + squaredFloor(replay, channel, b.mean(channel)));
+  const double variance = pooledVariance(measured, simulated, channel, prior);
+  return std::sqrt(variance / measured.count + variance / simulated.count +
+                   squaredFloor(replay, channel, simulated.mean(channel)) +
+                   squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
 double discrepancy(const Replay& replay, const Comparison& comparison, Half half) {
@@ -128,18 +154,19 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Half half
     if (c >= sample.layout->surfaces()) extra.push_back(c);
     if (m.count == 0.0 && s.count == 0.0) continue;
     if (!sample.layout->pooled()) {
-      result += rateTerm(m.count, measured_frames, s.count, simulated_frames);
+      result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * deviationOf(sample, c));
     }
     if (c >= sample.layout->surfaces()) continue;
     surfaces.push_back(c);
     if (m.count == 0.0 || s.count == 0.0) {
       // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
       const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
-      result += static_cast<double>(replay.channels().size()) * rho(kLostCell * std::max(0.0, rate - kOftenDetected));
+      result += static_cast<double>(replay.channels().size()) *
+                rho(kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c)));
       continue;
     }
     for (const Channel channel : replay.channels()) {
-      result += rho((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, channel, m, s));
+      result += rho((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {

@@ -15,12 +15,14 @@ namespace gap {
 /// resolution step are not worth explaining.
 [[nodiscard]] double discrepancy(const Replay& replay, const Comparison& comparison, Half half = Half::kAll);
 
-/// Standard error of the difference of two cell means, floor included. [unit of the channel]
-[[nodiscard]] double meanError(const Replay& replay, Channel channel, const CellStatistics& a, const CellStatistics& b);
+/// Standard error of the difference of two means of a cell: of its noise, of the resolution, and of what the
+/// reference's tolerance does to the power that the cell receives. [unit of the channel]
+[[nodiscard]] double meanError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                               const CellStatistics& measured, const CellStatistics& simulated);
 
 /// The same with the noise that the sensor profile states as a prior where a cell has few detections.
-[[nodiscard]] double comparableError(const Replay& replay, const ReplaySample& sample, Channel channel,
-                                     const CellStatistics& measured, const CellStatistics& simulated);
+[[nodiscard]] double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell,
+                                     Channel channel, const CellStatistics& measured, const CellStatistics& simulated);
 
 /// Whether a cell belongs to this half.
 [[nodiscard]] bool takesPart(const ReplaySample& sample, const Cell& cell, Half half);

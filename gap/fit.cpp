@@ -215,7 +215,8 @@ std::vector<double> fitPerSetup(const Replay& replay, const Hypothesis& hypothes
 
 /// How many frames are simulated of a sample.
 int simulatedFrames(const Evidence& evidence, const ReplaySample& sample) {
-  return std::min(evidence.most_frames, std::max(3, sample.frames));
+  const auto affordable = static_cast<int>(evidence.most_shots / std::max<std::size_t>(1, sample.beams.size()));
+  return std::min({evidence.most_frames, std::max(3, sample.frames), std::max(3, affordable)});
 }
 
 std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence) {

@@ -13,6 +13,7 @@ struct Evidence {
   std::vector<std::size_t> samples;
   Half half = Half::kAll;
   int most_frames = 6;
+  std::size_t most_shots = 16000;  ///< beams times frames of a sample; but three frames at least
   std::uint64_t seed = 1;
 };
 

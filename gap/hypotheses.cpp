@@ -182,7 +182,8 @@ std::set<std::int32_t> suspects(const Replay& replay) {
       double sum = std::abs(m.count / sample.frames - x.count / kFrames) > 0.5 ? 10.0 : 0.0;
       for (const Channel channel : replay.channels()) {
         if (m.count == 0.0 || x.count == 0.0) continue;
-        sum += std::max(0.0, std::abs(m.mean(channel) - x.mean(channel)) / meanError(replay, channel, m, x) - 3.0);
+        sum += std::max(
+            0.0, std::abs(m.mean(channel) - x.mean(channel)) / meanError(replay, sample, c, channel, m, x) - 3.0);
       }
       deviation[sample.layout->cells()[c].object] += sum;
       all += sum;

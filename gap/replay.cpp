@@ -14,6 +14,48 @@ constexpr int kFewestRays = 9;            // per direction, whatever the model h
 constexpr int kEdgeRays = 45;             // denser, sheared grid of partly hit beams: right to 1/45² of the power
 constexpr std::size_t kMostTraces = 400;  // remembered geometries
 
+/// Leaves out beams in pairs of neighbouring columns until about `most` are left, with their measured detections.
+void thin(ReplaySample& sample, std::size_t most) {
+  const std::size_t stride = (sample.beams.size() + most - 1) / most;
+  if (stride < 2) return;
+  sample.whole_scan = sample.beams;
+  sample.beams.clear();
+  constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(sample.whole_scan.size(), kLeftOut);
+  for (std::uint32_t b = 0; b < sample.whole_scan.size(); ++b) {
+    const model::Beam& beam = sample.whole_scan[b];
+    // Layers take turns, so that no direction is left out in all of them.
+    if ((static_cast<std::size_t>(beam.column) / 2 + static_cast<std::size_t>(beam.layer)) % stride != 0) continue;
+    place[b] = static_cast<std::uint32_t>(sample.taken.size());
+    sample.taken.push_back(b);
+    sample.beams.push_back(beam);
+  }
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < sample.beam_of.size(); ++i) {
+    if (place[sample.beam_of[i]] != kLeftOut) kept.push_back(i);
+  }
+  std::vector<std::uint32_t> beam_of;
+  for (const std::size_t i : kept) beam_of.push_back(place[sample.beam_of[i]]);
+  sample.measured = core::selected(sample.measured, kept);
+  sample.beam_of = std::move(beam_of);
+}
+
+/// The shots of the beams taken, numbered among these.
+void keep(const std::vector<std::uint32_t>& taken, std::vector<model::Shot>& shots) {
+  const auto placeOf = [&](std::uint32_t beam) { return std::lower_bound(taken.begin(), taken.end(), beam); };
+  std::erase_if(shots, [&](const model::Shot& shot) {
+    const auto place = placeOf(shot.beam);
+    return place == taken.end() || *place != shot.beam;
+  });
+  for (model::Shot& shot : shots) shot.beam = static_cast<std::uint32_t>(placeOf(shot.beam) - taken.begin());
+}
+
+bool couplesBeams(const World& world) {
+  return std::any_of(world.model.effects.begin(), world.model.effects.end(), [](const model::ActiveEffect& effect) {
+    return model::findEffect(effect.name)->make(effect.parameters)->couplesBeams();
+  });
+}
+
 /// The beams whose sub-rays do not all meet one object.
 std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
   std::vector<std::uint32_t> partly;
@@ -29,7 +71,8 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 }  // namespace
 
-Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline) : experiment_(experiment) {
+Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, std::size_t most_beams)
+    : experiment_(experiment) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
@@ -40,6 +83,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.beams = model::beamsOfSample(experiment, baseline, experiment.samples[i]);
     replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
     replay.frames = experiment.samples[i].frames;
+    if (replay.measured.hasDirections()) thin(replay, most_beams);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
       everywhere[kIntensity] = everywhere[kIntensity] && !replay.measured.intensity.empty();
@@ -62,27 +106,31 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
                                                       samples_[s].measured.hasDirections());
     samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
     for (const model::Epistemic& epistemic : samples_[s].sample->epistemic) {
-      samples_[s].tolerances.push_back(toleranceOf(s, epistemic));
+      addTolerance(samples_[s], s, epistemic);
     }
   }
 }
 
-Tolerance Replay::toleranceOf(std::size_t s, const model::Epistemic& epistemic) const {
-  const CellLayout& layout = *samples_[s].layout;
-  Tolerance tolerance{epistemic.path, epistemic.low, epistemic.high, std::vector<float>(layout.surfaces(), 0.0F)};
+void Replay::addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const {
+  const CellLayout& layout = *sample.layout;
   const double width = epistemic.high - epistemic.low;
-  if (width <= 0.0 || layout.pooled()) return tolerance;
-  const auto rangesAt = [&](double offset) {
+  if (width <= 0.0 || layout.pooled()) return;
+  const auto seenAt = [&](double offset) {
     World moved = baseline_;
     moved.references.push_back({epistemic.path, offset, {}});
-    return layout.rangesIn(geometryOf(moved, s)->hits);
+    return layout.seenIn(geometryOf(moved, index)->hits);
   };
-  const std::vector<double> low = rangesAt(epistemic.low), high = rangesAt(epistemic.high);
+  Tolerance tolerance{epistemic.path, epistemic.low, epistemic.high, std::vector<float>(layout.surfaces(), 0.0F)};
+  sample.power_deviation.resize(layout.surfaces(), 0.0F);
+  const auto low = seenAt(epistemic.low), high = seenAt(epistemic.high);
   for (std::size_t c = 0; c < low.size(); ++c) {
-    if (std::isfinite(low[c]) && std::isfinite(high[c]))
-      tolerance.range_per_unit[c] = static_cast<float>((high[c] - low[c]) / width);
+    if (std::isfinite(low[c].range_m) && std::isfinite(high[c].range_m))
+      tolerance.range_per_unit[c] = static_cast<float>((high[c].range_m - low[c].range_m) / width);
+    const double most = std::max(low[c].power, high[c].power), difference = std::abs(high[c].power - low[c].power);
+    const double deviation = most > 0.0 ? difference / most / std::sqrt(12.0) : 0.0;  // as of an even distribution
+    sample.power_deviation[c] = std::hypot(sample.power_deviation[c], static_cast<float>(deviation));
   }
-  return tolerance;
+  sample.tolerances.push_back(std::move(tolerance));
 }
 
 Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
@@ -92,7 +140,8 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const model::SensorProfile& sensor = world.model.sensor(sample.sensor);
   const model::SignalChain chain(sensor, world.model.effects, traced->situation.environment);
   const model::ChainSettings& settings = chain.settings();
-  std::vector<model::Beam> beams = samples_[s].beams;
+  const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
+  std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
   chain.aim(beams);
   const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
   const int vertical = std::max(kFewestRays, world.model.rays_vertical);
@@ -111,7 +160,8 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
 }
 
 Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
-  const std::string key = std::to_string(sample) + ":" + geometryKey(world, *samples_[sample].sample);
+  const bool whole = couplesBeams(world) && !samples_[sample].taken.empty();
+  const std::string key = std::to_string(sample) + (whole ? "*" : ":") + geometryKey(world, *samples_[sample].sample);
   {
     const std::lock_guard lock(mutex_);
     const auto found = traced_.find(key);
@@ -121,6 +171,10 @@ Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) cons
   const std::lock_guard lock(mutex_);
   if (traced_.size() < kMostTraces) traced_.emplace(key, geometry);
   return geometry;
+}
+
+bool Replay::thinned() const {
+  return std::any_of(samples_.begin(), samples_.end(), [](const ReplaySample& s) { return !s.taken.empty(); });
 }
 
 std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
@@ -133,8 +187,10 @@ std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int fra
   }
   const model::SignalChain chain(world.model.sensor(sample.sensor), world.model.effects,
                                  geometry->situation.environment);
-  return chain.run(geometry->hits, scene,
-                   {.seed = seed, .sample = static_cast<std::uint32_t>(samples_[s].index), .frames = frames});
+  std::vector<model::Shot> shots = chain.run(
+      geometry->hits, scene, {.seed = seed, .sample = static_cast<std::uint32_t>(samples_[s].index), .frames = frames});
+  if (geometry->hits.beams.size() != samples_[s].beams.size()) keep(samples_[s].taken, shots);
+  return shots;
 }
 
 std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, int frames, std::uint64_t seed) const {

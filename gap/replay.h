@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -29,7 +30,12 @@ struct ReplaySample {
   std::vector<CellStatistics> statistics;  ///< of the measurement
   std::unique_ptr<CellLayout> layout;
   std::vector<Tolerance> tolerances;
+  /// Of every surface cell: relative standard deviation of its received power as the reference moves within its
+  /// epistemic intervals; large where an edge cuts the beam. Empty without intervals.
+  std::vector<float> power_deviation;
   std::vector<model::Beam> beams;
+  std::vector<std::uint32_t> taken;     ///< which beams of the scan these are; empty: all of them
+  std::vector<model::Beam> whole_scan;  ///< if only some are taken
   int frames = 1;
 };
 
@@ -38,11 +44,15 @@ struct ReplaySample {
 /// one object are joined. Thread-safe. References, model and experiment must outlive it.
 class Replay {
  public:
-  Replay(const model::Experiment& experiment, const model::LidarModel& baseline);
+  /// Of every sample at most about `most_beams` beams take part, in pairs of neighbouring columns all over the scan.
+  Replay(const model::Experiment& experiment, const model::LidarModel& baseline,
+         std::size_t most_beams = std::numeric_limits<std::size_t>::max());
 
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
   [[nodiscard]] const World& baseline() const noexcept { return baseline_; }
   [[nodiscard]] const std::vector<ReplaySample>& samples() const noexcept { return samples_; }
+  /// Whether some beams were left out.
+  [[nodiscard]] bool thinned() const;
   /// Channels that both were measured in every sample and are measurands of the experiment.
   [[nodiscard]] const std::vector<Channel>& channels() const noexcept { return channels_; }
   /// One step of the sensor's output in this channel (experiment.json).
@@ -58,7 +68,7 @@ class Replay {
   using Geometry = std::shared_ptr<const model::TracedSample>;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
   [[nodiscard]] Geometry trace(const World& world, std::size_t sample) const;
-  [[nodiscard]] Tolerance toleranceOf(std::size_t sample, const model::Epistemic& epistemic) const;
+  void addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const;
   [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
                                               std::uint64_t seed) const;
 

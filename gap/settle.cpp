@@ -81,7 +81,7 @@ double stepOf(const Replay& replay, const Offset& offset, Half half) {
       const CellStatistics &m = comparison->measured[c], &s = comparison->simulated[c];
       if (slope == 0.0 || m.count == 0.0 || s.count == 0.0) continue;
       if (!takesPart(sample, sample.layout->cells()[c], half)) continue;
-      const double error = comparableError(replay, sample, kRange, m, s);
+      const double error = comparableError(replay, sample, c, kRange, m, s);
       const double z = (m.mean(kRange) - s.mean(kRange)) / error;
       const double weight = 1.0 / std::sqrt(1.0 + z * z);
       pull += weight * slope * z / error;

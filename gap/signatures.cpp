@@ -101,7 +101,7 @@ Signature SignatureSpace::shifts(std::size_t part, const std::vector<CellStatist
     for (const Channel channel : replay_.channels()) {
       const bool both = a.count > 0.0 && b.count > 0.0 && scale.count > 0.0;
       const CellStatistics& m = sample.statistics[c].count > 0.0 ? sample.statistics[c] : scale;
-      put(both ? (a.mean(channel) - b.mean(channel)) / comparableError(replay_, sample, channel, m, scale) : 0.0);
+      put(both ? (a.mean(channel) - b.mean(channel)) / comparableError(replay_, sample, c, channel, m, scale) : 0.0);
     }
   }
   const std::size_t groups = std::min(kGroups, cells.size());

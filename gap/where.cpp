@@ -243,7 +243,8 @@ std::vector<ResidualTable> residualTables(const Replay& replay,
       for (std::size_t c = 0; c < replay.samples()[s].layout->surfaces(); ++c) {
         const CellStatistics &m = replay.samples()[s].statistics[c], &x = simulated[s][c];
         if (m.count == 0.0 || x.count == 0.0) continue;
-        bias.rows.push_back({s, c, m.mean(channel) - x.mean(channel), meanError(replay, channel, m, x), m.count});
+        bias.rows.push_back({s, c, m.mean(channel) - x.mean(channel),
+                             meanError(replay, replay.samples()[s], c, channel, m, x), m.count});
         if (m.count < 5.0 || x.count < 5.0) continue;
         const double sm = std::sqrt(m.variance(channel)), sx = std::sqrt(x.variance(channel));
         const double error =
