@@ -26,7 +26,8 @@ struct Decision {
 [[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereRow>& where,
                               const std::vector<std::string>& library, core::Progress& progress);
 
-/// Share of belief of each candidate; the rest belongs to what none of them says. `weak`: no whole sample was held out.
+/// Share of belief of each candidate: a softmax of merits, times what the best one explains; the rest belongs to what
+/// none of them says. `weak`: no whole sample was held out.
 [[nodiscard]] std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak);
 
 /// Causes that the data cannot tell from the best one.

@@ -20,6 +20,8 @@ constexpr double kSignificance = 1e-3;    // of the gap being present at all
 constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
 constexpr double kMaterialTotal = 1.5;    // times the total gap of a right model
 constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
+constexpr double kPairBelief = 0.7;       // of a pair that explains everything
+constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
 constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
 
@@ -79,7 +81,8 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
   const auto confidences = confidencesOf(decision.singles, split.weak || pooled);
   if (decision.pair()) {
     diagnosis.causes = splitPair(*decision.winner);
-    for (Cause& cause : diagnosis.causes) cause.confidence = 0.9 * std::clamp(decision.winner->explained, 0.0, 1.0);
+    for (Cause& cause : diagnosis.causes)
+      cause.confidence = kPairBelief * std::clamp(decision.winner->explained, 0.0, 1.0);
   }
   std::vector<std::string> listed;
   for (const Cause& cause : diagnosis.causes) listed.push_back(cause.name);
@@ -231,10 +234,10 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
     if (!decision.pair()) verdict.indistinguishable_from = tiesOf(decision.singles);
     diagnosis.next_experiment = nextExperiment(replay, split, decision);
   } else if (verdict.kind == VerdictKind::kNone) {
-    verdict.confidence = diagnosis.p_value >= kSignificance ? 0.97 : 0.85;
+    verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    verdict.confidence = std::clamp(
-        1.0 - (decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained)), 0.3, 0.95);
+    const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
+    verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
   }
   verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

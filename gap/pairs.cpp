@@ -24,8 +24,9 @@ constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
 constexpr std::size_t kPartnersFitted = 4;  // nearest partners of a cause
 constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
 constexpr int kExchanges = 2;
-constexpr unsigned kValuesOfOne = 8;  // at which the signature of a cause with one number is taken
-constexpr unsigned kValuesOfSeveral = 14;
+constexpr std::size_t kScoutBeams = 120;
+constexpr unsigned kValuesOfOne = 7;  // at which the signature of a cause with one number is taken
+constexpr unsigned kValuesOfSeveral = 10;
 
 /// A cause at certain values.
 struct Atom {
@@ -52,7 +53,12 @@ class PairSearch {
  public:
   PairSearch(const Replay& replay, const Split& split, const Yardstick& yardstick,
              const std::vector<Candidate>& singles, core::Progress& progress)
-      : replay_(replay), split_(split), yardstick_(yardstick), singles_(singles), progress_(progress) {}
+      : replay_(replay),
+        scout_(replay.experiment(), replay.baseline().model, kScoutBeams),
+        split_(split),
+        yardstick_(yardstick),
+        singles_(singles),
+        progress_(progress) {}
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses = nearestSums();
@@ -127,13 +133,13 @@ class PairSearch {
     return Eigen::Map<const Eigen::VectorXf>(measured.data(), static_cast<Eigen::Index>(measured.size()));
   }
   [[nodiscard]] SignatureSpace spaceOf(const World& base) const {
-    return {replay_, base, spreadOver(split_.fitted.samples), kSignatureFrames, split_.fitted.seed};
+    return {scout_, base, spreadOver(split_.fitted.samples), kSignatureFrames, split_.fitted.seed};
   }
 
   /// Pairs of causes by the distance of their summed signatures from the measurement.
   [[nodiscard]] std::vector<Guess> nearestSums() const {
     const SignatureSpace space = spaceOf(replay_.baseline());
-    const std::vector<Atom> atoms = atomsFor(whereIn(replay_, replay_.baseline(), split_.fitted.seed).rows);
+    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), split_.fitted.seed).rows);
     const Eigen::MatrixXf signatures = signaturesOf(space, atoms.size(), [&](std::size_t a) {
       return worldOf(replay_, singles_[atoms[a].single].hypothesis, atoms[a].values);
     });
@@ -160,7 +166,7 @@ class PairSearch {
   [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
     const Hypothesis& hypothesis = singles_[first].hypothesis;
     const World base = worldOf(replay_, hypothesis, values);
-    std::vector<Atom> atoms = atomsFor(whereIn(replay_, base, split_.fitted.seed).rows);
+    std::vector<Atom> atoms = atomsFor(whereIn(scout_, base, split_.fitted.seed).rows);
     std::erase_if(atoms, [&](const Atom& atom) { return !pairable(first, atom.single); });
     Evidence few = split_.fitted;
     few.samples = spreadOver(few.samples);
@@ -169,7 +175,7 @@ class PairSearch {
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
       const Hypothesis both = together(hypothesis, singles_[atoms[a].single].hypothesis);
-      distances[a] = discrepancyOf(replay_, worldOf(replay_, both, joined(values, atoms[a].values)), few);
+      distances[a] = discrepancyOf(scout_, worldOf(replay_, both, joined(values, atoms[a].values)), few);
     });
     std::map<std::size_t, Guess> nearest;
     for (std::size_t a = 0; a < atoms.size(); ++a) {
@@ -224,6 +230,7 @@ class PairSearch {
   }
 
   const Replay& replay_;
+  const Replay scout_;  ///< fewer beams still: many worlds are looked at before few are fitted
   const Split& split_;
   const Yardstick& yardstick_;
   const std::vector<Candidate>& singles_;

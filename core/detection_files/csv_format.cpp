@@ -102,10 +102,12 @@ std::string write(const Detections& detections, const std::string&) {
   }
   fmt::memory_buffer out;
   const auto append = std::back_inserter(out);
-  const bool time = !detections.time_s.empty();
-  const bool directions = !detections.azimuth_rad.empty();
-  const bool epw = !detections.epw_m.empty();
-  const bool intensity = !detections.intensity.empty();
+  // Of no detection nobody can tell what was recorded; without directions in the header it would count as pooled.
+  const bool none = detections.size() == 0;
+  const bool time = none || !detections.time_s.empty();
+  const bool directions = none || !detections.azimuth_rad.empty();
+  const bool epw = none || !detections.epw_m.empty();
+  const bool intensity = none || !detections.intensity.empty();
   fmt::format_to(append, "frame,{}{}echo,range_m{}{}\n", time ? "time_s," : "",
                  directions ? "layer,azimuth_rad,elevation_rad," : "", epw ? ",epw_m" : "",
                  intensity ? ",intensity" : "");

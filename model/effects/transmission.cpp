@@ -10,7 +10,7 @@ namespace {
 /// Glass lets light pass: what stands behind it echoes too, weakened by the pane on the way out and back.
 ///
 ///   behind a pane    P · T(θ)²              T: of a pane with two faces and its absorption (material/fresnel.h)
-///   the pane itself  P · (1 - T(θ))         only what does not pass can be scattered
+///   the pane itself  P                      its reflectivity counts all light that falls on it (hemispherical)
 ///
 /// T at normal incidence is the material's `transmission`, Fresnel's equations say how it falls with the angle. Every
 /// surface of such a material is one whole pane: a box is made of two, and light goes straight on without being set
@@ -38,9 +38,6 @@ class Transmission final : public Effect {
       if (crossing.way != Crossing::Way::kThrough) continue;
       const double passes = clean(*crossing.material) * transmittance(*crossing.material, crossing.cos_incidence);
       factor *= passes * passes;
-    }
-    if (letsThrough(reflection.material) && reflection.material.brdf.model != BrdfModel::kGlass) {
-      factor *= 1.0 - transmittance(reflection.material, reflection.cos_incidence);
     }
     return factor;
   }

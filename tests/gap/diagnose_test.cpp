@@ -74,6 +74,16 @@ TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
   EXPECT_NEAR(diagnosis.causes.front().setups.at("r19").value, 0.0, 0.005);
 }
 
+TEST(Diagnose, NamesBothOfTwoEffectsThoughOneIsSmallBesideTheOther) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"atmospheric-attenuation", {{"visibility_m", 400}}}, {"detection-loss", {{"probability", 0.08}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  std::vector<std::string> names = diagnosis.verdict.names;
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"atmospheric-attenuation", "detection-loss"}));
+}
+
 TEST(Diagnose, SaysNoneWhereEverySetUpStandsElsewhereWithinItsTolerance) {
   SmallWorld world;
   world.knownToWithin(0.03);

@@ -59,6 +59,14 @@ TEST(DetectionFile, NoDetectionsAreASampleToo) {
   EXPECT_EQ(readDetections(folder / "none.pcd").size(), 0u);
 }
 
+// Without these columns a reader would take the sample as one whose directions were not recorded, and a total loss
+// would be no gap (formats.md section 1).
+TEST(DetectionFile, ACsvWithoutDetectionsStillHasAllColumns) {
+  const test_support::TemporaryFolder folder;
+  writeDetections(folder / "d.csv", {});
+  EXPECT_EQ(readFile(folder / "d.csv"), "frame,time_s,layer,azimuth_rad,elevation_rad,echo,range_m,epw_m,intensity\n");
+}
+
 TEST(DetectionFile, TheContentTellsTheFormatWhateverTheName) {
   const test_support::TemporaryFolder folder;
   const Detections detections = madeUpDetections();
