@@ -129,14 +129,17 @@ Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereR
   if (best.explained >= enough || (best.explained >= kWeakGap && rest.total < kLittleRest)) {
     decision.winner = best;
     decision.kind = kindOf(best.hypothesis.kind);
+    decision.left_of_total = rest.total;
   }
   if (rest.total < kMaterialRest || best.explained < 0.1) return decision;
   std::vector<Candidate> pairs = rankPairs(quick.replay, quick.split, quick.yardstick, decision.singles, second);
   polish(exact.replay, exact.split, exact.yardstick, pairs, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
   const Candidate& pair = pairs.front();
-  if (!earnsItsSecond(rest, totals.restOf(pair), noise)) return decision;
+  const Rest rest_of_pair = totals.restOf(pair);
+  if (!earnsItsSecond(rest, rest_of_pair, noise)) return decision;
   decision.winner = pair;
+  decision.left_of_total = rest_of_pair.total;
   const auto& members = pair.hypothesis.members;
   const bool an_effect =
       std::any_of(members.begin(), members.end(), [](const Hypothesis& m) { return m.kind == CauseKind::kEffect; });

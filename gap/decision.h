@@ -14,6 +14,7 @@ struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
   std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
   std::vector<Candidate> singles;   ///< best first
+  double left_of_total = 1.0;       ///< of the total gap, beyond what a right model keeps, with the winner added
 
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.

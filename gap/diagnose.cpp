@@ -230,6 +230,9 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   Verdict& verdict = diagnosis.verdict;
   if (decision.winner) {
     verdict.names = decision.names();
+    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
+    const double trust = std::clamp(1.2 - decision.left_of_total, 0.3, 1.0);
+    for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
     if (!decision.pair()) verdict.indistinguishable_from = tiesOf(decision.singles);
     diagnosis.next_experiment = nextExperiment(replay, split, decision);
