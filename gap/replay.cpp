@@ -10,9 +10,9 @@ namespace gap {
 
 namespace {
 
-constexpr int kFewestRays = 9;            // per direction, whatever the model has
-constexpr int kEdgeRays = 45;             // denser, sheared grid of partly hit beams: right to 1/45² of the power
-constexpr std::size_t kMostTraces = 400;  // remembered geometries
+constexpr int kFewestRays = 9;              // per direction, whatever the model has
+constexpr int kEdgeRays = 45;               // denser, sheared grid of partly hit beams: right to 1/45² of the power
+constexpr std::size_t kMostHits = 4000000;  // remembered, about 60 bytes each with their sub-rays and beams
 
 /// Leaves out beams in pairs of neighbouring columns until about `most` are left, with their measured detections.
 void thin(ReplaySample& sample, std::size_t most) {
@@ -169,7 +169,8 @@ Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) cons
   }
   Geometry geometry = trace(world, sample);
   const std::lock_guard lock(mutex_);
-  if (traced_.size() < kMostTraces) traced_.emplace(key, geometry);
+  const std::size_t hits = geometry->hits.hits.size() + geometry->hits.beams.size();
+  if (remembered_hits_ + hits <= kMostHits && traced_.emplace(key, geometry).second) remembered_hits_ += hits;
   return geometry;
 }
 

@@ -79,6 +79,7 @@ class Replay {
   std::array<double, kChannels> resolution_{};
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, Geometry> traced_;
+  mutable std::size_t remembered_hits_ = 0;
 };
 
 /// The set-ups of some samples, each once, in the order of the samples.
