@@ -27,21 +27,22 @@ Split withRefined(Split split) {
   return split;
 }
 
-Candidate judged(const Replay& replay, const Split& split, const Yardstick& yardstick, const Hypothesis& hypothesis,
-                 const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+Candidate judged(const Judge& judge, const Hypothesis& hypothesis, const std::vector<std::vector<double>>& starts,
+                 const core::Progress& progress) {
   Candidate candidate;
   candidate.hypothesis = hypothesis;
   // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
-  const Evidence fitted = hypothesis.per_setup ? splitByBeams(replay, split.fitted.seed).fitted : split.fitted;
-  candidate.values = fit(replay, hypothesis, fitted, starts, progress);
-  candidate.explained = explainedBy(replay, split, yardstick, candidate);
+  const Evidence& common = judge.split.fitted;
+  const Evidence fitted = hypothesis.per_setup ? splitByBeams(judge.replay, common.seed).fitted : common;
+  candidate.values = fit(judge.replay, hypothesis, fitted, starts, progress);
+  candidate.explained = judge.explainedBy(hypothesis, candidate.values);
   return candidate;
 }
 
 }  // namespace
 
-double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick, const Candidate& candidate) {
-  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+double Judge::explainedBy(const Hypothesis& hypothesis, const std::vector<double>& values) const {
+  const World world = worldOf(replay, hypothesis, values);
   return yardstick.explained(discrepancyOf(replay, world, split.held_out),
                              selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
 }
@@ -108,30 +109,28 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   return yardstick;
 }
 
-std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                            const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,
-                            core::Progress& progress) {
+std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
+                            const std::vector<WhereRow>& where, core::Progress& progress) {
   std::vector<Candidate> candidates(hypotheses.size());
   std::atomic<std::size_t> done = 0;
   core::parallelFor(hypotheses.size(), 1, [&](std::size_t begin, std::size_t) {
     const Hypothesis& hypothesis = hypotheses[begin];
-    candidates[begin] = judged(replay, split, yardstick, hypothesis, startsFrom(replay, hypothesis, where), progress);
+    candidates[begin] = judged(judge, hypothesis, startsFrom(judge.replay, hypothesis, where), progress);
     progress.report(static_cast<double>(++done) / static_cast<double>(hypotheses.size()), "tried " + hypothesis.name);
   });
   sortByMerit(candidates);
   return candidates;
 }
 
-void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
-            const core::Progress& progress) {
+void polish(const Judge& judge, std::vector<Candidate>& candidates, const core::Progress& progress) {
   std::vector<std::size_t> leaders;
   for (std::size_t i = 0; i < candidates.size() && leaders.size() < kPolished; ++i) {
     if (candidates[i].merit() >= candidates.front().merit() - kNearlyAsGood) leaders.push_back(i);
   }
   core::parallelFor(leaders.size(), 1, [&](std::size_t begin, std::size_t) {
     Candidate& candidate = candidates[leaders[begin]];
-    candidate.values = refine(replay, candidate.hypothesis, split.refined, candidate.values, progress);
-    candidate.explained = explainedBy(replay, split, yardstick, candidate);
+    candidate.values = refine(judge.replay, candidate.hypothesis, judge.split.refined, candidate.values, progress);
+    candidate.explained = judge.explainedBy(candidate.hypothesis, candidate.values);
   });
   sortByMerit(candidates);
 }

@@ -53,20 +53,17 @@ struct Judge {
   const Replay& replay;
   Split split;
   Yardstick yardstick;
+
+  /// Share of what there is to explain on held-out data that a hypothesis explains with these values.
+  [[nodiscard]] double explainedBy(const Hypothesis& hypothesis, const std::vector<double>& values) const;
 };
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
-[[nodiscard]] std::vector<Candidate> rank(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                          const std::vector<Hypothesis>& hypotheses, const std::vector<WhereRow>& where,
-                                          core::Progress& progress);
+[[nodiscard]] std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
+                                          const std::vector<WhereRow>& where, core::Progress& progress);
 
 /// Fits the leaders again with more frames, and judges them again; best merit first.
-void polish(const Replay& replay, const Split& split, const Yardstick& yardstick, std::vector<Candidate>& candidates,
-            const core::Progress& progress);
-
-/// Share of what there is to explain on held-out data that a candidate explains with its values.
-[[nodiscard]] double explainedBy(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                 const Candidate& candidate);
+void polish(const Judge& judge, std::vector<Candidate>& candidates, const core::Progress& progress);
 
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);

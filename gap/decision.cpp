@@ -115,9 +115,8 @@ Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereR
                 const std::vector<std::string>& library, core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
-  decision.singles =
-      rank(quick.replay, quick.split, quick.yardstick, hypothesesFor(quick.replay, library), where, first);
-  polish(exact.replay, exact.split, exact.yardstick, decision.singles, progress);
+  decision.singles = rank(quick, hypothesesFor(quick.replay, library), where, first);
+  polish(exact, decision.singles, progress);
   const Candidate& best = decision.singles.front();
   const Yardstick& yardstick = exact.yardstick;
   const double noise =
@@ -132,8 +131,8 @@ Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereR
     decision.left_of_total = rest.total;
   }
   if (rest.total < kMaterialRest || best.explained < 0.1) return decision;
-  std::vector<Candidate> pairs = rankPairs(quick.replay, quick.split, quick.yardstick, decision.singles, second);
-  polish(exact.replay, exact.split, exact.yardstick, pairs, progress);
+  std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
+  polish(exact, pairs, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
   const Candidate& pair = pairs.front();
   const Rest rest_of_pair = totals.restOf(pair);

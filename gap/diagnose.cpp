@@ -210,8 +210,8 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
 
   Decision decision;
   if (diagnosis.present) {
-    decision = decide({quick, split, yardstickOf(quick, split.held_out)}, {replay, split, yardstick}, where.rows,
-                      options.library, progress);
+    decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
+                      {replay, split, yardstick}, where.rows, options.library, progress);
     diagnosis.verdict.kind = decision.kind;
   } else {
     diagnosis.verdict.kind = VerdictKind::kNone;

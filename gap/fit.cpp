@@ -16,6 +16,7 @@ namespace {
 constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
 constexpr int kBrentBits = 10;    // a thousandth of the bracket
 constexpr std::size_t kCoarseSamples = 4;
+constexpr int kCoarseFrames = 3;
 constexpr double kFirstStep = 0.06;  // of the scaled range
 constexpr double kFirstStep_deg = 1.5;
 constexpr double kReach = 0.12;      // of the scaled range, to both sides of the coarse optimum
@@ -118,16 +119,9 @@ class Objective {
 };
 
 std::vector<double> coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
-  // A few samples, spread over the list, are enough to find the neighbourhood.
-  Evidence few = objective.evidence();
-  if (few.samples.size() > kCoarseSamples) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < kCoarseSamples; ++i) {
-      chosen.push_back(few.samples[i * (few.samples.size() - 1) / (kCoarseSamples - 1)]);
-    }
-    few.samples = chosen;
-  }
-  few.most_frames = std::min(few.most_frames, 3);
+  // A few samples are enough to find the neighbourhood.
+  const int frames = std::min(objective.evidence().most_frames, kCoarseFrames);
+  const Evidence few = spreadOver(objective.evidence(), kCoarseSamples, frames);
   const Objective quick = objective.on(few);
   std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
@@ -187,6 +181,14 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
   return start;
 }
 
+/// The values that a bounded search around a point of the unit cube ends with.
+std::vector<double> searched(const Objective& objective, const std::vector<double>& start, double reach, double step) {
+  const auto refined =
+      start.size() == 1 ? refineOne(objective, start[0], reach) : refineSeveral(objective, start, step);
+  // A rugged objective may lead the refinement astray.
+  return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
+}
+
 std::vector<double> fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                 const core::Progress& progress) {
   std::vector<double> values;
@@ -238,6 +240,17 @@ double total(const Replay& replay, const World& world, std::vector<Comparison>& 
 
 }  // namespace
 
+Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most_frames) {
+  Evidence few = evidence;
+  few.most_frames = most_frames;
+  if (evidence.samples.size() <= most_samples) return few;
+  few.samples.clear();
+  for (std::size_t i = 0; i < most_samples; ++i) {
+    few.samples.push_back(evidence.samples[i * (evidence.samples.size() - 1) / (most_samples - 1)]);
+  }
+  return few;
+}
+
 World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
   World world = replay.baseline();
   hypothesis.apply(world, values);
@@ -269,31 +282,21 @@ std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, cons
   std::vector<double> typical;
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);
-  const std::vector<double> coarse = coarseSearch(objective, all);
-  const auto refined = objective.dimensions() == 1 ? refineOne(objective, coarse[0], kReach)
-                                                   : refineSeveral(objective, coarse, kFirstStep);
-  // A rugged objective may lead the refinement astray.
-  return objective.valuesAt(objective(refined) < objective(coarse) ? refined : coarse);
+  return searched(objective, coarseSearch(objective, all), kReach, kFirstStep);
 }
 
 std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                            const std::vector<double>& values, const core::Progress& progress) {
   if (hypothesis.per_setup || values.empty()) return values;
   const Objective objective(replay, hypothesis, evidence, progress);
-  const std::vector<double> start = objective.unitOf(values);
-  const auto refined =
-      start.size() == 1 ? refineOne(objective, start[0], kFineReach) : refineSeveral(objective, start, kFineStep);
-  return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
+  return searched(objective, objective.unitOf(values), kFineReach, kFineStep);
 }
 
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                             const std::vector<double>& start, const core::Progress& progress) {
   if (start.empty()) return start;
   const Objective objective(replay, hypothesis, evidence, progress);
-  const std::vector<double> unit = objective.unitOf(start);
-  const auto refined =
-      unit.size() == 1 ? refineOne(objective, unit[0], kReach) : refineSeveral(objective, unit, kFirstStep);
-  return objective.valuesAt(objective(refined) < objective(unit) ? refined : unit);
+  return searched(objective, objective.unitOf(start), kReach, kFirstStep);
 }
 
 std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis, unsigned count) {

@@ -17,6 +17,9 @@ struct Evidence {
   std::uint64_t seed = 1;
 };
 
+/// The same evidence on at most so many samples, spread over the list, and so many frames.
+[[nodiscard]] Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most_frames);
+
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
 

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -18,8 +17,8 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kSignatureSamples = 4;
-constexpr int kSignatureFrames = 4;
+constexpr std::size_t kScoutSamples = 4;
+constexpr int kScoutFrames = 4;
 constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
 constexpr std::size_t kPartnersFitted = 4;  // nearest partners of a cause
 constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
@@ -34,14 +33,6 @@ struct Atom {
   std::vector<double> values;
 };
 
-std::vector<std::size_t> spreadOver(const std::vector<std::size_t>& samples) {
-  if (samples.size() <= kSignatureSamples) return samples;
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < kSignatureSamples; ++i)
-    chosen.push_back(samples[i * (samples.size() - 1) / (kSignatureSamples - 1)]);
-  return chosen;
-}
-
 /// A pair of causes to begin a joint fit with.
 struct Guess {
   std::size_t first = 0, second = 0;  ///< singles
@@ -51,12 +42,10 @@ struct Guess {
 
 class PairSearch {
  public:
-  PairSearch(const Replay& replay, const Split& split, const Yardstick& yardstick,
-             const std::vector<Candidate>& singles, core::Progress& progress)
-      : replay_(replay),
-        scout_(replay.experiment(), replay.baseline().model, kScoutBeams),
-        split_(split),
-        yardstick_(yardstick),
+  PairSearch(const Judge& judge, const std::vector<Candidate>& singles, core::Progress& progress)
+      : judge_(judge),
+        scout_(judge.replay.experiment(), judge.replay.baseline().model, kScoutBeams),
+        scouted_(spreadOver(judge.split.fitted, kScoutSamples, kScoutFrames)),
         singles_(singles),
         progress_(progress) {}
 
@@ -111,40 +100,27 @@ class PairSearch {
       if (numbers == 0) continue;
       for (auto& values : valuesAllOver(hypothesis, numbers == 1 ? kValuesOfOne : kValuesOfSeveral))
         atoms.push_back({i, std::move(values)});
-      for (auto& values : startsFrom(replay_, hypothesis, rest)) atoms.push_back({i, std::move(values)});
+      for (auto& values : startsFrom(judge_.replay, hypothesis, rest)) atoms.push_back({i, std::move(values)});
     }
     return atoms;
   }
 
-  /// A column for each of the worlds.
-  [[nodiscard]] Eigen::MatrixXf signaturesOf(const SignatureSpace& space, std::size_t count,
-                                             const std::function<World(std::size_t)>& world) const {
-    Eigen::MatrixXf signatures(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(count));
-    core::parallelFor(count, 1, [&](std::size_t a, std::size_t) {
-      core::stopIfCancelled(progress_);
-      const Signature signature = space.of(world(a));
-      signatures.col(static_cast<Eigen::Index>(a)) =
-          Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
-    });
-    return signatures;
-  }
-  [[nodiscard]] static Eigen::VectorXf measuredIn(const SignatureSpace& space) {
-    const Signature& measured = space.ofMeasurement();
-    return Eigen::Map<const Eigen::VectorXf>(measured.data(), static_cast<Eigen::Index>(measured.size()));
-  }
-  [[nodiscard]] SignatureSpace spaceOf(const World& base) const {
-    return {scout_, base, spreadOver(split_.fitted.samples), kSignatureFrames, split_.fitted.seed};
-  }
-
   /// Pairs of causes by the distance of their summed signatures from the measurement.
   [[nodiscard]] std::vector<Guess> nearestSums() const {
-    const SignatureSpace space = spaceOf(replay_.baseline());
-    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), split_.fitted.seed).rows);
-    const Eigen::MatrixXf signatures = signaturesOf(space, atoms.size(), [&](std::size_t a) {
-      return worldOf(replay_, singles_[atoms[a].single].hypothesis, atoms[a].values);
+    const SignatureSpace space(scout_, scouted_.samples, kScoutFrames, scouted_.seed);
+    const auto columnOf = [](const Signature& signature) {
+      return Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
+    };
+    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), scouted_.seed).rows);
+    Eigen::MatrixXf signatures(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(atoms.size()));
+    core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
+      core::stopIfCancelled(progress_);
+      const World world = worldOf(scout_, singles_[atoms[a].single].hypothesis, atoms[a].values);
+      const Signature signature = space.of(world);
+      signatures.col(static_cast<Eigen::Index>(a)) = columnOf(signature);
     });
     const Eigen::MatrixXf products = signatures.transpose() * signatures;
-    const Eigen::VectorXf along = signatures.transpose() * measuredIn(space);
+    const Eigen::VectorXf along = signatures.transpose() * columnOf(space.ofMeasurement());
     std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
     for (std::size_t a = 0; a < atoms.size(); ++a) {
       for (std::size_t b = a + 1; b < atoms.size(); ++b) {
@@ -165,17 +141,13 @@ class PairSearch {
   /// What goes best with a cause at these values.
   [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
     const Hypothesis& hypothesis = singles_[first].hypothesis;
-    const World base = worldOf(replay_, hypothesis, values);
-    std::vector<Atom> atoms = atomsFor(whereIn(scout_, base, split_.fitted.seed).rows);
+    std::vector<Atom> atoms = atomsFor(whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed).rows);
     std::erase_if(atoms, [&](const Atom& atom) { return !pairable(first, atom.single); });
-    Evidence few = split_.fitted;
-    few.samples = spreadOver(few.samples);
-    few.most_frames = kSignatureFrames;
     std::vector<double> distances(atoms.size());
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
       const Hypothesis both = together(hypothesis, singles_[atoms[a].single].hypothesis);
-      distances[a] = discrepancyOf(scout_, worldOf(replay_, both, joined(values, atoms[a].values)), few);
+      distances[a] = discrepancyOf(scout_, worldOf(scout_, both, joined(values, atoms[a].values)), scouted_);
     });
     std::map<std::size_t, Guess> nearest;
     for (std::size_t a = 0; a < atoms.size(); ++a) {
@@ -219,8 +191,8 @@ class PairSearch {
       fitted[g].first = guess.first;
       fitted[g].second = guess.second;
       candidate.hypothesis = together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
-      candidate.values = fitFrom(replay_, candidate.hypothesis, split_.fitted, guess.values, progress_);
-      candidate.explained = explainedBy(replay_, split_, yardstick_, candidate);
+      candidate.values = fitFrom(judge_.replay, candidate.hypothesis, judge_.split.fitted, guess.values, progress_);
+      candidate.explained = judge_.explainedBy(candidate.hypothesis, candidate.values);
       progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
                        "tried " + candidate.hypothesis.name);
     });
@@ -229,10 +201,9 @@ class PairSearch {
                      [](const Fitted& a, const Fitted& b) { return a.candidate.merit() > b.candidate.merit(); });
   }
 
-  const Replay& replay_;
+  const Judge& judge_;
   const Replay scout_;  ///< fewer beams still: many worlds are looked at before few are fitted
-  const Split& split_;
-  const Yardstick& yardstick_;
+  const Evidence scouted_;
   const std::vector<Candidate>& singles_;
   core::Progress& progress_;
   std::vector<Fitted> pairs_;
@@ -240,9 +211,8 @@ class PairSearch {
 
 }  // namespace
 
-std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                 const std::vector<Candidate>& singles, core::Progress& progress) {
-  return PairSearch(replay, split, yardstick, singles, progress).run();
+std::vector<Candidate> rankPairs(const Judge& judge, const std::vector<Candidate>& singles, core::Progress& progress) {
+  return PairSearch(judge, singles, progress).run();
 }
 
 }  // namespace gap

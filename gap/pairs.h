@@ -11,7 +11,7 @@ namespace gap {
 /// single causes. They are fitted jointly and judged on held-out data like single candidates; then each member of the
 /// best pair is exchanged for whatever goes better with the other one, as long as that helps. Best merit first. Two
 /// forms of one cause are no pair, and offsets per set-up take no part.
-[[nodiscard]] std::vector<Candidate> rankPairs(const Replay& replay, const Split& split, const Yardstick& yardstick,
-                                               const std::vector<Candidate>& singles, core::Progress& progress);
+[[nodiscard]] std::vector<Candidate> rankPairs(const Judge& judge, const std::vector<Candidate>& singles,
+                                               core::Progress& progress);
 
 }  // namespace gap

@@ -16,7 +16,6 @@ constexpr double kRateError = 0.05;       // detections per frame and cell
 constexpr double kGroupRateError = 0.006;
 constexpr double kSpreadError = 0.07;  // of the logarithm of a variance
 constexpr double kFar = 10.0;          // errors: what is farther counts no more
-constexpr double kLarge = 6.0;         // errors to which the larger tenth of the deviations is brought down
 
 /// Of a mean over `cells`, if about a tenth of the detections is lost.
 double rateError(double floor, double cells, int measured_frames, int simulated_frames) {
@@ -47,8 +46,7 @@ std::vector<std::size_t> everyNth(std::vector<std::size_t> list, std::size_t n) 
 
 }  // namespace
 
-SignatureSpace::SignatureSpace(const Replay& replay, const World& base, std::vector<std::size_t> samples, int frames,
-                               std::uint64_t seed)
+SignatureSpace::SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed)
     : replay_(replay), frames_(frames), seed_(seed), samples_(std::move(samples)) {
   std::size_t all = 0;
   for (const std::size_t s : samples_) all += replay.samples()[s].layout->surfaces();
@@ -63,28 +61,15 @@ SignatureSpace::SignatureSpace(const Replay& replay, const World& base, std::vec
       return cells[a].power_over_threshold < cells[b].power_over_threshold;
     });
     cells_.push_back(everyNth(surfaces, stride));
-    base_.push_back(replay.simulate(base, s, frames, seed));
-    comparisons.push_back({s, sample.statistics, sample.frames, base_.back(), frames});
+    baseline_.push_back(replay.simulate(replay.baseline(), s, frames, seed));
+    comparisons.push_back({s, sample.statistics, sample.frames, baseline_.back(), frames});
   }
-  settle(replay, base, comparisons, Half::kAll);
-  const auto measuredShifts = [&] {
-    Signature signature;
-    for (std::size_t p = 0; p < samples_.size(); ++p) {
-      const ReplaySample& sample = replay.samples()[samples_[p]];
-      const Signature part = shifts(p, sample.statistics, sample.frames, comparisons[p].simulated);
-      signature.insert(signature.end(), part.begin(), part.end());
-    }
-    return signature;
-  };
-  widening_ = 1e-3;  // nothing is cut off while the larger tenth is looked for
-  std::vector<double> sizes;
-  for (const float shift : measuredShifts()) sizes.push_back(std::abs(static_cast<double>(shift)) * widening_);
-  if (!sizes.empty()) {
-    const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
-    std::nth_element(sizes.begin(), tenth, sizes.end());
-    widening_ = std::max(1.0, *tenth / kLarge);
+  settle(replay, replay.baseline(), comparisons, Half::kAll);
+  for (std::size_t p = 0; p < samples_.size(); ++p) {
+    const ReplaySample& sample = replay.samples()[samples_[p]];
+    const Signature part = shifts(p, sample.statistics, sample.frames, comparisons[p].simulated);
+    measured_.insert(measured_.end(), part.begin(), part.end());
   }
-  measured_ = measuredShifts();
 }
 
 Signature SignatureSpace::shifts(std::size_t part, const std::vector<CellStatistics>& of, int frames,
@@ -93,10 +78,10 @@ Signature SignatureSpace::shifts(std::size_t part, const std::vector<CellStatist
   const auto& cells = cells_[part];
   Signature signature;
   const auto put = [&](double shift_in_errors) {
-    signature.push_back(static_cast<float>(std::clamp(shift_in_errors / widening_, -kFar, kFar)));
+    signature.push_back(static_cast<float>(std::clamp(shift_in_errors, -kFar, kFar)));
   };
   for (const std::size_t c : cells) {
-    const CellStatistics &a = of[c], &b = from[c], &scale = base_[part][c];
+    const CellStatistics &a = of[c], &b = from[c], &scale = baseline_[part][c];
     put((rateOf(a, frames) - rateOf(b, frames_)) / rateError(kRateError, 1.0, sample.frames, frames_));
     for (const Channel channel : replay_.channels()) {
       const bool both = a.count > 0.0 && b.count > 0.0 && scale.count > 0.0;
@@ -135,7 +120,7 @@ Signature SignatureSpace::of(const World& world) const {
   Signature signature;
   signature.reserve(size());
   for (std::size_t p = 0; p < samples_.size(); ++p) {
-    const Signature part = shifts(p, replay_.simulate(world, samples_[p], frames_, seed_), frames_, base_[p]);
+    const Signature part = shifts(p, replay_.simulate(world, samples_[p], frames_, seed_), frames_, baseline_[p]);
     signature.insert(signature.end(), part.begin(), part.end());
   }
   return signature;

@@ -9,23 +9,20 @@
 namespace gap {
 
 /// What a change of the world does to the data: shifts of cell means, of detections per frame and of spreads, each in
-/// its standard error, from those of a base world. The shifts of small changes add up, so that signatures of single
+/// its standard error, from those of the baseline. The shifts of small changes add up, so that signatures of single
 /// causes tell which two of them together may look like the measurement.
 using Signature = std::vector<float>;
 
 /// The cells and scales in which signatures are taken: a few samples, a thousand cells, errors that the measurement and
-/// the base have. Where the measurement stands far outside of them, all errors are widened alike, so that large
-/// deviations keep their shape.
+/// the baseline have. Shifts of more than ten errors count as ten.
 class SignatureSpace {
  public:
-  /// Shifts are taken from what `base` predicts.
-  SignatureSpace(const Replay& replay, const World& base, std::vector<std::size_t> samples, int frames,
-                 std::uint64_t seed);
+  SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed);
 
   [[nodiscard]] std::size_t size() const noexcept { return measured_.size(); }
-  /// Measured less base, the reference settled within its tolerance.
+  /// Measured less baseline, the reference settled within its tolerance.
   [[nodiscard]] const Signature& ofMeasurement() const noexcept { return measured_; }
-  /// World less base, under the same random numbers.
+  /// World less baseline, under the same random numbers.
   [[nodiscard]] Signature of(const World& world) const;
 
  private:
@@ -36,9 +33,8 @@ class SignatureSpace {
   int frames_;
   std::uint64_t seed_;
   std::vector<std::size_t> samples_;
-  std::vector<std::vector<CellStatistics>> base_;  ///< of each sample
-  std::vector<std::vector<std::size_t>> cells_;    ///< taken of each sample, surfaces in order of power
-  double widening_ = 1.0;
+  std::vector<std::vector<CellStatistics>> baseline_;  ///< of each sample
+  std::vector<std::vector<std::size_t>> cells_;        ///< taken of each sample, surfaces in order of power
   Signature measured_;
 };
 
