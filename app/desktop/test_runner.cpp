@@ -1,6 +1,7 @@
 #include "app/desktop/test_runner.h"
 
 #include "acceptance/run.h"
+#include "app/desktop/guarded_work.h"
 #include "app/desktop/window_progress.h"
 #include "specs/project_store.h"
 
@@ -37,17 +38,11 @@ void TestRunner::start(const std::filesystem::path& project, const std::vector<s
   };
   thread_.reset(QThread::create([project, tests, outcome, tell, stop = stop_] {
     WindowProgress progress(stop, tell);
-    try {
+    const auto run = [&] {
       const auto store = specs::ProjectStore::open(project, specs::Access::ReadOnly);
       outcome->result = acceptance::runTests(store, {.tests = tests, .model = {}, .seed = {}}, progress);
-    } catch (const core::InputError& error) {
-      outcome->error = error;
-    } catch (const core::Cancelled&) {
-      // Nothing is left behind; the window says so.
-    } catch (const std::exception& error) {  // no exception may leave the thread
-      outcome->error.emplace(core::Place{.file = project}, std::string("internal error: ") + error.what(),
-                             "Nothing was stored. Please report it, with the project if you may.");
-    }
+    };
+    outcome->error = errorOf(run, project, "Nothing was stored. Please report it, with the project if you may.");
   }));
   connect(thread_.get(), &QThread::finished, this, [this, outcome] {
     thread_.release()->deleteLater();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/desktop/guarded_work.h"
+
 namespace desktop {
 
 CloudLoader::CloudLoader(QObject* parent) : QObject(parent) {}
@@ -30,15 +32,11 @@ void CloudLoader::begin(Wish wish) {
 
   thread_.reset(QThread::create([wish = std::move(wish), outcome] {
     const model::Sample& sample = wish.experiment.samples[wish.sample];
-    try {
+    const auto load = [&] {
       outcome->cloud =
           std::make_shared<const PointCloud>(pointCloudOf(model::readMeasurements(wish.experiment, sample)));
-    } catch (const core::InputError& mistake) {
-      outcome->error = mistake;
-    } catch (const std::exception& other) {  // no exception may leave the thread
-      outcome->error.emplace(core::Place{.file = sample.measurements}, std::string("internal error: ") + other.what(),
-                             "Please report it, with the file if you may.");
-    }
+    };
+    outcome->error = errorOf(load, sample.measurements, "Please report it, with the file if you may.");
   }));
   connect(thread_.get(), &QThread::finished, this, [this, outcome] {
     thread_.release()->deleteLater();

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/desktop/guarded_work.h"
 #include "app/desktop/window_progress.h"
 #include "model/simulate.h"
 
@@ -60,16 +61,8 @@ void SimulationRunner::start(const std::filesystem::path& experiment, const std:
   };
   thread_.reset(QThread::create([=, stop = stop_] {
     WindowProgress progress(stop, tell);
-    try {
-      simulateSamples(experiment, model, first_sample, progress, hand);
-    } catch (const core::InputError& mistake) {
-      *error = mistake;
-    } catch (const core::Cancelled&) {
-      // Nothing is left behind; the window says so.
-    } catch (const std::exception& other) {  // no exception may leave the thread
-      error->emplace(core::Place{.file = experiment}, std::string("internal error: ") + other.what(),
+    *error = errorOf([&] { simulateSamples(experiment, model, first_sample, progress, hand); }, experiment,
                      "Please report it, with the experiment if you may.");
-    }
   }));
   connect(thread_.get(), &QThread::finished, this, [this, error, stop = stop_] {
     thread_.release()->deleteLater();
