@@ -21,11 +21,17 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
   if (count == 0) return;
   grain = std::max<std::size_t>(1, grain);
   const std::size_t pieces = (count + grain - 1) / grain;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces, 1), [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t piece = range.begin(); piece != range.end(); ++piece) {
-      body(piece * grain, std::min(count, (piece + 1) * grain));
-    }
-  });
+  // Isolated: when another piece of an outer loop throws, TBB would end this loop early and in silence, and its caller
+  // would go on with half of the results.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, pieces, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t piece = range.begin(); piece != range.end(); ++piece) {
+          body(piece * grain, std::min(count, (piece + 1) * grain));
+        }
+      },
+      context);
 }
 
 }  // namespace core

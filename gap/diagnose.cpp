@@ -6,6 +6,7 @@
 #include "gap/candidates.h"
 #include "gap/decision.h"
 #include "gap/diagnosis.h"
+#include "gap/evidence_limits.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
 #include "gap/wording.h"
@@ -154,6 +155,14 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   return next;
 }
 
+/// Few data never make a verdict that anybody should rely upon, whatever they seem to say.
+void heedLimits(Diagnosis& diagnosis) {
+  Verdict& verdict = diagnosis.verdict;
+  const double most = mostConfidence(verdict.limits.size());
+  verdict.confidence = std::min(verdict.confidence, most);
+  for (Cause& cause : diagnosis.causes) cause.confidence = std::min(cause.confidence, most);
+}
+
 }  // namespace
 
 std::string toString(VerdictKind kind) {
@@ -222,6 +231,10 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const BeforeAfter far = howFar(replay, after, split.held_out.samples, seed, progress);
   diagnosis.before = far.before;
   diagnosis.bias_intervals = far.bias_intervals;
+  if (decision.winner && far.shrink.fraction <= 0.0) {  // it fits single cells, and the gap is none the smaller for it
+    decision.winner.reset();
+    diagnosis.verdict.kind = VerdictKind::kUnknown;
+  }
   fillCauses(replay, split, decision, seed, diagnosis);
   if (decision.winner) fillWinner(quick, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
@@ -242,6 +255,9 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
     const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
     verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
   }
+  verdict.limits = limitsOf(replay, split);
+  diagnosis.notes = notesOn(replay);
+  heedLimits(diagnosis);
   verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.report(1.0, "done");

@@ -78,6 +78,7 @@ struct Verdict {
   std::vector<std::string> names;
   double confidence = 0.0;
   std::vector<std::string> indistinguishable_from;
+  std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;
 };
 
@@ -102,7 +103,8 @@ struct Diagnosis {
   std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
   std::vector<std::string> held_out;
-  bool weak_hold_out = false;  ///< no sample could be held out whole
+  bool weak_hold_out = false;      ///< no sample could be held out whole
+  std::vector<std::string> notes;  ///< what a person should know of the data, sentences
   std::optional<NextExperiment> next_experiment;
   std::vector<ResidualMap> maps;          ///< the sample with the largest deviation, a map a measurand
   std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples

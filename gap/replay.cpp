@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/physics.h"
+#include "gap/evidence_limits.h"
 #include "gap/joined_hits.h"
 
 namespace gap {
@@ -81,8 +82,10 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.sample = &experiment.samples[i];
     replay.measured = model::readMeasurements(experiment, experiment.samples[i]);
     replay.beams = model::beamsOfSample(experiment, baseline, experiment.samples[i]);
+    requireSameScan(experiment, replay, replay.beams, baseline);
     replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
     replay.frames = experiment.samples[i].frames;
+    requireFrames(replay);
     if (replay.measured.hasDirections()) thin(replay, most_beams);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
@@ -90,6 +93,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     }
     samples_.push_back(std::move(replay));
   }
+  requireDetections(experiment, samples_);
   constexpr const char* kColumns[] = {"range_m", "epw_m", "intensity"};
   for (const Channel channel : {kRange, kEpw, kIntensity}) {
     for (const model::Measurand& measurand : experiment.measurands) {

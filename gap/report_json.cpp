@@ -102,6 +102,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                    {"names", diagnosis.verdict.names},
                    {"confidence", diagnosis.verdict.confidence},
                    {"indistinguishable_from", diagnosis.verdict.indistinguishable_from},
+                   {"limits", diagnosis.verdict.limits},
                    {"text", diagnosis.verdict.text}}},
                  {"causes", causes}};
   report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
@@ -111,6 +112,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                                  {"separates", diagnosis.next_experiment->separates},
                                  {"parameters", diagnosis.next_experiment->parameters}};
   }
+  report["notes"] = diagnosis.notes;
   report["elapsed_s"] = diagnosis.elapsed_s;
   return report;
 }

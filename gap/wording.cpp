@@ -21,7 +21,9 @@ std::string stratumText(const WhereRow& row) {
   return fmt::format("{} is {}", row.covariate, fmt::join(row.names, ", "));
 }
 
-std::string verdictSentence(const Diagnosis& diagnosis) {
+namespace {
+
+std::string findingSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
   const std::string shrink =
       fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction));
@@ -43,10 +45,24 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
                          ties);
     case VerdictKind::kUnknown:
       if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
+      if (diagnosis.causes.front().shrink.fraction <= 0.0) {
+        return fmt::format(
+            "They differ, and nothing in the library explains it {}; with the nearest, {}, the gap on "
+            "held-out samples does not shrink.",
+            sure, diagnosis.causes.front().name);
+      }
       return fmt::format("They differ, and nothing in the library explains it {}; the nearest, {}, explains {}.", sure,
                          diagnosis.causes.front().name, percent(std::max(0.0, diagnosis.causes.front().explained)));
   }
   return "";
+}
+
+}  // namespace
+
+std::string verdictSentence(const Diagnosis& diagnosis) {
+  const std::string finding = findingSentence(diagnosis);
+  const auto& limits = diagnosis.verdict.limits;
+  return limits.empty() ? finding : fmt::format("{} The data tell little: {}.", finding, fmt::join(limits, "; "));
 }
 
 std::string whereSentence(const WhereRow& row) {

@@ -69,6 +69,7 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
     }
     out << "\n";
   }
+  for (const std::string& note : diagnosis.notes) out << "  note: " << note << "\n";
   if (diagnosis.next_experiment) out << "  next: " << diagnosis.next_experiment->text << "\n";
 }
 
