@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/parallel.h"
-#include "gap/settle.h"
 #include "gap/starts.h"
 
 namespace gap {
@@ -16,7 +15,7 @@ namespace {
 constexpr int kFitFrames = 5;
 constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
-constexpr int kNullRuns = 6;
+constexpr int kNullRuns = 8;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
 constexpr double kNearlyAsGood = 0.25;        // in merit: farther behind no refinement helps
@@ -44,7 +43,7 @@ Candidate judged(const Judge& judge, const Hypothesis& hypothesis, const std::ve
 double Judge::explainedBy(const Hypothesis& hypothesis, const std::vector<double>& values) const {
   const World world = worldOf(replay, hypothesis, values);
   return yardstick.explained(discrepancyOf(replay, world, split.held_out),
-                             selfDiscrepancy(replay, world, split.held_out, split.held_out.seed + 2000));
+                             discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
 }
 
 void sortByMerit(std::vector<Candidate>& candidates) {
@@ -59,7 +58,7 @@ double Candidate::merit() const {
 double Yardstick::explained(double discrepancy, double self) const {
   // A world may not buy its share with noise: at least half of the way to a quiet right model counts as the whole way.
   const double whole_way = std::max(baseline - std::max(self, perfect), 0.5 * (baseline - perfect));
-  return std::min(1.0, (baseline - discrepancy) / std::max(1e-9, whole_way));  // luck beyond the whole way is no merit
+  return (baseline - discrepancy) / std::max(1e-9, whole_way);
 }
 
 double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
@@ -99,13 +98,12 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   yardstick.baseline = discrepancyOf(replay, world, held_out);
   std::vector<double> runs(kNullRuns);
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
-    runs[begin] = selfDiscrepancy(replay, world, held_out, held_out.seed + 1000 + begin);
+    runs[begin] = discrepancyIn(replay, world, world, held_out, held_out.seed + 1000 + begin);
   });
   for (const double run : runs) yardstick.perfect += run / kNullRuns;
   double squares = 0.0;
   for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
-  const double offsets = static_cast<double>(offsetsFor(replay, world, held_out.samples));
-  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1) + offsets / 2.0);
+  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1));
   return yardstick;
 }
 

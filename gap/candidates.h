@@ -27,7 +27,9 @@ struct Split {
 struct Candidate {
   Hypothesis hypothesis;
   std::vector<double> values;
-  double explained = 0.0;  ///< (baseline - this) / (baseline - this if it were right), discrepancies on held-out data
+  /// (baseline - this) / (baseline - this if it were right), discrepancies on held-out data; above 1 by luck, or where
+  /// little is to be explained.
+  double explained = 0.0;
 
   /// What counts in comparisons: every free number must earn its place.
   [[nodiscard]] double merit() const;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/physics.h"
@@ -59,6 +61,48 @@ std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubR
   return kept;
 }
 
+/// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
+std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
+  constexpr std::int32_t kNone = -1, kMixed = -2;
+  constexpr double kWhole = 0.999;
+  double weight = 0.0;
+  std::int32_t object = kNone;
+  for (const model::Hit& hit : of_beam) {
+    if (object != kNone && hit.object != object) return kMixed;
+    object = hit.object;
+    weight += rays.weight[hit.ray];
+  }
+  return object == kNone || weight > kWhole ? object : kMixed;
+}
+
+/// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.
+std::vector<bool> edgesOf(const model::BeamHits& hits) {
+  constexpr double kNext = 2.2;  // steps of the scan
+  std::vector<std::uint32_t> order(hits.beams.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(hits.beams[a].layer, hits.beams[a].azimuth_rad, a) <
+           std::tie(hits.beams[b].layer, hits.beams[b].azimuth_rad, b);
+  });
+  const auto step = [&](std::size_t i) {  // to the next of the layer
+    const model::Beam &a = hits.beams[order[i]], &b = hits.beams[order[i + 1]];
+    return a.layer == b.layer ? b.azimuth_rad - a.azimuth_rad : std::numeric_limits<double>::infinity();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    if (step(i) > 1e-6) least = std::min(least, step(i));
+  }
+  std::vector<std::int32_t> sole(order.size());
+  for (std::uint32_t b = 0; b < order.size(); ++b) sole[b] = soleObject(hits.of(b), hits.rays);
+  std::vector<bool> at_edge(order.size());
+  for (std::uint32_t b = 0; b < order.size(); ++b) at_edge[b] = sole[b] < -1;
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    if (step(i) > kNext * least || sole[order[i]] == sole[order[i + 1]]) continue;
+    at_edge[order[i]] = at_edge[order[i + 1]] = true;
+  }
+  return at_edge;
+}
+
 }  // namespace
 
 const char* nameOf(Channel channel) {
@@ -95,7 +139,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
   surfaces_ = cells_.size();
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) cells_.push_back({.beam = b});
+  const std::vector<bool> at_edge = edgesOf(hits);
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) cells_.push_back({.beam = b, .at_edge = at_edge[b]});
 }
 
 std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) const {

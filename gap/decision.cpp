@@ -1,11 +1,13 @@
 #include "gap/decision.h"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
 
 #include "gap/how_far.h"
 #include "gap/pairs.h"
+#include "gap/significance.h"
 
 namespace gap {
 
@@ -19,7 +21,15 @@ constexpr double kPairGain = 0.5;       // a pair must halve what its best membe
 constexpr double kTotalGain = 0.35;     // of the total gap, which counts what no physics explains too, even more
 constexpr double kBelief = 0.05;        // difference of merits that costs a factor e of belief
 constexpr double kMostBelief = 0.9;     // other programs' physics differ from ours: docs/diagnosis.md
-constexpr double kTie = 0.03;           // merits this close cannot be told apart
+constexpr double kProven =
+    6.0;  // standard deviations: chance of 1e-9 each, for a library of sixty causes and heavy tails
+constexpr double kNoRest = 3.0;        // standard deviations: no more is left than under the cause's own noise
+constexpr double kMostSamples = 0.75;  // share of the held-out samples that a small cause must bring nearer
+constexpr double kLeastShrink = 0.05;  // of the total gap: less is nobody's concern
+constexpr double kApart = 1.5;         // standard deviations of the paired difference of two causes
+constexpr double kHopeless = 0.5;      // in merit: rivals farther behind are not looked at
+constexpr std::size_t kRivals = 5;
+constexpr double kTie = 0.03;  // merits this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
@@ -38,6 +48,7 @@ VerdictKind kindOf(CauseKind kind) {
 struct Rest {
   double discrepancy = 1.0;
   double total = 1.0;
+  double shrink = 0.0;  ///< 1 - after/before of the total gap, the noise not subtracted
 };
 
 class TotalGaps {
@@ -51,8 +62,9 @@ class TotalGaps {
     const World world = worldOf(replay_, candidate.hypothesis, candidate.values);
     const auto& samples = split_.held_out.samples;
     const double floor = selfTotalOf(replay_, world, samples, split_.held_out.seed);
-    const double left = totalOf(replay_, world, samples, split_.held_out.seed) - floor;
-    return {1.0 - candidate.explained, std::max(0.0, left / std::max(1e-9, baseline_ - floor))};
+    const double after = totalOf(replay_, world, samples, split_.held_out.seed);
+    return {std::max(0.0, 1.0 - candidate.explained),
+            std::max(0.0, (after - floor) / std::max(1e-9, baseline_ - floor)), shrinkOf(baseline_, after)};
   }
 
  private:
@@ -70,9 +82,40 @@ bool earnsItsSecond(const Rest& single, const Rest& pair, double noise) {
   return single.total > kMaterialRest && gain > 3.0 * noise && (closer || smaller);
 }
 
+/// Of a normal distribution.
+double tailOf(double z) {
+  return boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -37.0, 37.0)));
+}
+
+/// A gain that no noise of the baseline makes, and nothing left that the cause itself would not leave.
+bool nothingElse(const Significance& significance) {
+  return significance.improvement_z > kProven && significance.rest_z < kNoRest;
+}
+
+/// Causes that the data cannot tell from the best one.
+std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>& candidates) {
+  const Candidate& best = candidates.front();
+  std::vector<std::string> ties;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 1; i < candidates.size() && looked_at < kRivals; ++i) {
+    const Candidate& rival = candidates[i];
+    const std::string& name = rival.hypothesis.name;
+    if (name == best.hypothesis.name || std::find(ties.begin(), ties.end(), name) != ties.end()) continue;
+    if (rival.merit() < best.merit() - kHopeless) break;
+    ++looked_at;
+    if (rival.merit() > best.merit() - kTie || separation(judge, best, rival) < kApart) ties.push_back(name);
+  }
+  return ties;
+}
+
+bool provesItself(const Significance& significance, const Rest& rest) {
+  return nothingElse(significance) && significance.better_samples >= kMostSamples && rest.shrink > kLeastShrink;
+}
+
 }  // namespace
 
-std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool weak) {
+std::vector<double> confidencesOf(const Decision& decision, bool weak) {
+  const std::vector<Candidate>& candidates = decision.singles;
   std::vector<double> confidences(candidates.size(), 0.0);
   if (candidates.empty()) return confidences;
   const double best = candidates.front().merit();
@@ -81,23 +124,12 @@ std::vector<double> confidencesOf(const std::vector<Candidate>& candidates, bool
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string& name = candidates[i].hypothesis.name;
     if (best_of_name.count(name)) continue;  // variants of one cause share its belief
-    confidences[i] = best_of_name[name] = std::exp((candidates[i].merit() - best) / kBelief);
+    confidences[i] = best_of_name[name] = std::exp((candidates[i].merit() - best) / std::max(kBelief, decision.noise));
     sum += confidences[i];
   }
   const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
   for (double& confidence : confidences) confidence *= kMostBelief * trust / sum;
   return confidences;
-}
-
-std::vector<std::string> tiesOf(const std::vector<Candidate>& candidates) {
-  std::vector<std::string> ties;
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const std::string& name = candidates[i].hypothesis.name;
-    if (candidates[i].merit() < candidates.front().merit() - kTie || name == candidates.front().hypothesis.name)
-      continue;
-    if (std::find(ties.begin(), ties.end(), name) == ties.end()) ties.push_back(name);
-  }
-  return ties;
 }
 
 std::vector<std::string> Decision::names() const {
@@ -111,12 +143,13 @@ std::vector<std::string> Decision::names() const {
   return effects.empty() ? all : effects;
 }
 
-Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereRow>& where,
+Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::vector<WhereRow>& where,
                 const std::vector<std::string>& library, core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(quick, hypothesesFor(quick.replay, library), where, first);
   polish(exact, decision.singles, progress);
+  if (decision.singles.empty()) return decision;
   const Candidate& best = decision.singles.front();
   const Yardstick& yardstick = exact.yardstick;
   const double noise =
@@ -124,13 +157,23 @@ Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereR
   const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
   const TotalGaps totals(exact.replay, exact.split);
   const Rest rest = totals.restOf(best);
+  const Significance significance = significanceOf(exact, best);
+  decision.noise = noise;
+  decision.p_value = std::min(1.0, tailOf(significance.improvement_z) * static_cast<double>(decision.singles.size()));
+  if (!clear) {
+    decision.kind = VerdictKind::kNone;
+    if (!provesItself(significance, rest)) return decision;
+  }
   // Another program's physics may differ cell by cell and still leave nothing of the gap that anybody would see.
-  if (best.explained >= enough || (best.explained >= kWeakGap && rest.total < kLittleRest)) {
+  if (!clear || best.explained >= enough ||
+      (best.explained >= kWeakGap && (rest.total < kLittleRest || nothingElse(significance)))) {
     decision.winner = best;
     decision.kind = kindOf(best.hypothesis.kind);
     decision.left_of_total = rest.total;
+    decision.ties = tiesOf(exact, decision.singles);
   }
-  if (rest.total < kMaterialRest || best.explained < 0.1) return decision;
+  if (!clear) return decision;
+  if (rest.total < kMaterialRest) return decision;
   std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
   polish(exact, pairs, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
@@ -138,6 +181,7 @@ Decision decide(const Judge& quick, const Judge& exact, const std::vector<WhereR
   const Rest rest_of_pair = totals.restOf(pair);
   if (!earnsItsSecond(rest, rest_of_pair, noise)) return decision;
   decision.winner = pair;
+  decision.ties.clear();
   decision.left_of_total = rest_of_pair.total;
   const auto& members = pair.hypothesis.members;
   const bool an_effect =

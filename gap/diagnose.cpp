@@ -42,9 +42,10 @@ Cause toCause(const Candidate& candidate) {
   cause.kind = candidate.hypothesis.kind;
   cause.name = candidate.hypothesis.name;
   cause.variant = candidate.hypothesis.variant;
+  cause.sensors = candidate.hypothesis.sensors;
   cause.percollect = candidate.hypothesis.percollect;
   cause.decomposition_block = candidate.hypothesis.decomposition_block;
-  cause.explained = candidate.explained;
+  cause.explained = std::min(1.0, candidate.explained);
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
     const FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt};
@@ -79,7 +80,7 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = replay.samples().front().layout->pooled();
-  const auto confidences = confidencesOf(decision.singles, split.weak || pooled);
+  const auto confidences = confidencesOf(decision, split.weak || pooled);
   if (decision.pair()) {
     diagnosis.causes = splitPair(*decision.winner);
     for (Cause& cause : diagnosis.causes)
@@ -215,16 +216,12 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const double total = totalOf(replay, replay.baseline(), split.held_out.samples, seed);
   const double floor = selfTotalOf(replay, replay.baseline(), split.held_out.samples, seed);
   const bool material = where.largest_steps >= kMaterialSteps || total > kMaterialTotal * floor;
-  diagnosis.present = diagnosis.p_value < kSignificance && material;
-
-  Decision decision;
-  if (diagnosis.present) {
-    decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
-                      {replay, split, yardstick}, where.rows, options.library, progress);
-    diagnosis.verdict.kind = decision.kind;
-  } else {
-    diagnosis.verdict.kind = VerdictKind::kNone;
-  }
+  const bool clear = diagnosis.p_value < kSignificance && material;
+  const Decision decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
+                                   {replay, split, yardstick}, clear, where.rows, options.library, progress);
+  diagnosis.verdict.kind = decision.kind;
+  diagnosis.present = decision.kind != VerdictKind::kNone;
+  if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
   progress.report(0.86, "measuring how far the gap shrinks");
   const World after =
       decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
@@ -247,7 +244,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
     const double trust = std::clamp(1.2 - decision.left_of_total, 0.3, 1.0);
     for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
-    if (!decision.pair()) verdict.indistinguishable_from = tiesOf(decision.singles);
+    if (!decision.pair()) verdict.indistinguishable_from = decision.ties;
     diagnosis.next_experiment = nextExperiment(replay, split, decision);
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;

@@ -35,6 +35,7 @@ struct Cause {
   CauseKind kind = CauseKind::kEffect;
   std::string name;
   std::string variant;
+  std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
   std::vector<std::string> percollect;
   std::string decomposition_block;
   double confidence = 0.0;

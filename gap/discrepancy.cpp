@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/physics.h"
+#include "gap/extra_echoes.h"
 
 namespace gap {
 
@@ -21,8 +22,6 @@ constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is 
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
 constexpr std::size_t kGroups = 6;         // groups of like power in which rates and spreads are compared
-
-double rho(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
 
 /// Variance that the profile states for one detection: a prior where a cell has few of them.
 double priorVariance(const Replay& replay, const ReplaySample& sample, Channel channel) {
@@ -69,7 +68,7 @@ double rateTerm(double measured, int measured_frames, double simulated, int simu
   const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
   const double error =
       variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor + of_power * of_power;
-  return rho((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
+  return robustLoss((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
 }
 
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
@@ -88,7 +87,7 @@ void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatist
     const double variance = std::max(rate * (1.0 - rate), 0.02 * rate) / size;
     const double error = variance / measured_frames + variance / simulated_frames + kGroupRateFloor * kGroupRateFloor;
     const double weight = std::sqrt(size);
-    result += weight * rho((m - s) / std::sqrt(error));
+    result += weight * groupLoss((m - s) / std::sqrt(error));
   }
 }
 
@@ -113,11 +112,15 @@ void addSpread(const Replay& replay, const ReplaySample& sample, const std::vect
                      std::sqrt(2.0 / dof_m + 2.0 / dof_s + kSpreadFloor * kSpreadFloor);
     // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
     const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups));
-    result += weight * rho(z);
+    result += weight * groupLoss(z);
   }
 }
 
 }  // namespace
+
+double robustLoss(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
+
+double groupLoss(double z) { return robustLoss(std::max(0.0, std::abs(z) - 1.0)); }
 
 bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
   if (half == Half::kAll) return true;
@@ -147,26 +150,28 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Half half
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
   double result = 0.0;
-  std::vector<std::size_t> surfaces, extra;
+  std::vector<std::size_t> surfaces;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!takesPart(sample, cells[c], half)) continue;
     const CellStatistics &m = measured[c], &s = simulated[c];
-    if (c >= sample.layout->surfaces()) extra.push_back(c);
     if (m.count == 0.0 && s.count == 0.0) continue;
-    if (!sample.layout->pooled()) {
+    const bool surface = c < sample.layout->surfaces();
+    // A rare echo from nowhere, which no world puts into the same beam, is left to extraDiscrepancy.
+    const bool often = std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected;
+    if (!sample.layout->pooled() && (surface || often)) {
       result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * deviationOf(sample, c));
     }
-    if (c >= sample.layout->surfaces()) continue;
+    if (!surface) continue;
     surfaces.push_back(c);
     if (m.count == 0.0 || s.count == 0.0) {
       // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
       const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
       result += static_cast<double>(replay.channels().size()) *
-                rho(kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c)));
+                robustLoss(kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c)));
       continue;
     }
     for (const Channel channel : replay.channels()) {
-      result += rho((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
+      result += robustLoss((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
@@ -174,7 +179,7 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Half half
   });
   if (!sample.layout->pooled()) {
     addRates(surfaces, measured, measured_frames, simulated, simulated_frames, result);
-    addRates(extra, measured, measured_frames, simulated, simulated_frames, result);
+    result += extraDiscrepancy(replay, comparison, half);
   }
   for (const Channel channel : replay.channels())
     addSpread(replay, sample, surfaces, channel, measured, simulated, result);

@@ -5,6 +5,13 @@
 
 namespace gap {
 
+/// ρ of `discrepancy`.
+[[nodiscard]] double robustLoss(double z);
+
+/// ρ of a term that stands for many cells and is weighted by them: nothing up to one standard error, for its noise
+/// would be weighted as well.
+[[nodiscard]] double groupLoss(double z);
+
 /// How far a simulation is from the measurement, as a sum over cells of robust standardised differences
 ///
 ///   ρ(z) = sqrt(1 + z²) - 1

@@ -262,15 +262,17 @@ double discrepancyOf(const Replay& replay, const World& world, const Evidence& e
   return total(replay, world, comparisons, evidence.half);
 }
 
-double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence, std::uint64_t seed) {
-  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
-  std::vector<std::vector<CellStatistics>> measured;
-  for (Comparison& comparison : comparisons) {
-    measured.push_back(replay.simulate(world, comparison.sample, comparison.measured_frames, seed));
-    comparison.measured = measured.back();  // moving a vector of vectors leaves the inner ones where they are
+double discrepancyIn(const Replay& replay, const World& truth, const World& world, const Evidence& evidence,
+                     std::uint64_t seed) {
+  std::vector<Comparison> measured;
+  for (const std::size_t s : evidence.samples) {
+    const int frames = replay.samples()[s].frames;
+    measured.push_back({s, {}, frames, replay.simulate(truth, s, frames, seed), frames});
   }
-  const double offsets = static_cast<double>(offsetsFor(replay, world, evidence.samples));
-  return total(replay, world, comparisons, evidence.half) + offsets / 2.0;
+  scatter(replay, truth, measured, seed);
+  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i].simulated;
+  return total(replay, world, comparisons, evidence.half);
 }
 
 std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,

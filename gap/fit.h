@@ -23,10 +23,10 @@ struct Evidence {
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
 
-/// Discrepancy of a world to itself under the noise of another seed, as if that had been measured;
-/// with the mean price of reference offsets within their epistemic intervals (settle.h).
-[[nodiscard]] double selfDiscrepancy(const Replay& replay, const World& world, const Evidence& evidence,
-                                     std::uint64_t seed);
+/// Discrepancy of a world if another one were the truth: to a measurement simulated in `truth` under the noise of
+/// another seed, the reference somewhere within its tolerance.
+[[nodiscard]] double discrepancyIn(const Replay& replay, const World& truth, const World& world,
+                                   const Evidence& evidence, std::uint64_t seed);
 
 /// The world in which a hypothesis holds with these values.
 [[nodiscard]] World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);

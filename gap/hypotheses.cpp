@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gap/discrepancy.h"
+#include "gap/layer_gains.h"
 #include "gap/settle.h"
 
 namespace gap {
@@ -14,6 +15,8 @@ namespace gap {
 using nlohmann::json;
 
 namespace {
+
+constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
 
 Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std::string>& fitted,
                             const std::string& variant) {
@@ -34,7 +37,7 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.apply = [effect, fitted](World& world, const std::vector<double>& values) {
     model::EffectParameters parameters;
     for (std::size_t i = 0; i < fitted.size(); ++i) parameters.numbers[fitted[i]] = values[i];
-    world.model = model::withEffect(world.model, effect, parameters);
+    world.model = model::withEffect(world.model, {effect, parameters, {}});
   };
   return hypothesis;
 }
@@ -66,12 +69,51 @@ void placeCloud(Hypothesis& hypothesis) {
     inner(world, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(x)});
     for (const model::ActiveEffect& active : world.model.effects) {
       if (active.name != effect) continue;
-      model::EffectParameters parameters = active.parameters;
-      parameters.lists["centre"] = {values[x], values[x + 1], 0.0};
-      world.model = model::withEffect(world.model, effect, parameters);
+      model::ActiveEffect placed = active;
+      placed.parameters.lists["centre"] = {values[x], values[x + 1], 0.0};
+      world.model = model::withEffect(world.model, placed);
       return;
     }
   };
+}
+
+/// The effect on some sensors only.
+Hypothesis restricted(const Hypothesis& everywhere, const std::vector<std::string>& sensors) {
+  Hypothesis hypothesis = everywhere;
+  hypothesis.sensors = sensors;
+  hypothesis.apply = [inner = everywhere.apply, effect = everywhere.name, sensors](World& world,
+                                                                                   const std::vector<double>& values) {
+    inner(world, values);
+    for (const model::ActiveEffect& active : world.model.effects) {
+      if (active.name != effect) continue;
+      world.model = model::withEffect(world.model, {effect, active.parameters, sensors});
+      return;
+    }
+  };
+  return hypothesis;
+}
+
+/// Which sensors an effect may be limited to: every part of two or three, single ones of more.
+std::vector<std::vector<std::string>> partsOf(const std::vector<std::string>& sensors) {
+  constexpr std::size_t kAllParts = 3;
+  std::vector<std::vector<std::string>> parts;
+  const std::size_t most = sensors.size() <= kAllParts ? sensors.size() - 1 : 1;
+  for (std::size_t bits = 1; sensors.size() < 16 && bits < (std::size_t{1} << sensors.size()); ++bits) {
+    std::vector<std::string> part;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+      if ((bits >> i & 1U) != 0) part.push_back(sensors[i]);
+    }
+    if (part.size() <= most) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+void addParts(const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
+  if (sensors.size() < 2) return;
+  const std::vector<Hypothesis> everywhere = list;
+  for (const auto& part : partsOf(sensors)) {
+    for (const Hypothesis& hypothesis : everywhere) list.push_back(restricted(hypothesis, part));
+  }
 }
 
 /// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
@@ -91,13 +133,16 @@ bool hasSubject(const Replay& replay, const model::EffectEntry& entry) {
   return false;
 }
 
+/// Whether the model lacks an effect and `only` allows it. Angle clipping changes no byte of the output.
+bool considered(const Replay& replay, const std::string& effect, const std::vector<std::string>& only) {
+  if (replay.baseline().model.has(effect) || effect == "angle-clipping") return false;
+  return only.empty() || std::find(only.begin(), only.end(), effect) != only.end();
+}
+
 void addEffects(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
-  const model::LidarModel& baseline = replay.baseline().model;
   for (const model::EffectEntry& entry : model::allEffects()) {
     const model::EffectInfo& info = entry.info;
-    if (baseline.has(info.name) || info.name == "angle-clipping") continue;
-    if (!only.empty() && std::find(only.begin(), only.end(), info.name) == only.end()) continue;
-    if (!hasSubject(replay, entry)) continue;
+    if (!considered(replay, info.name, only) || info.name == kUnevenLayers || !hasSubject(replay, entry)) continue;
     list.push_back(effectHypothesis(info, info.fitted, ""));
     orderSector(list.back());
     if (info.name == "exhaust-cloud") placeCloud(list.back());
@@ -106,6 +151,34 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
       list.push_back(effectHypothesis(info, {}, "bare crossing"));
       list.push_back(effectHypothesis(info, {"coefficient_m"}, "linear front"));
     }
+  }
+}
+
+/// An uneven gain of the layers has the pattern that the data show; how strong it is, is fitted. The gains of all
+/// layers would be as many numbers as there are layers. Every sensor has its own.
+void addPatterns(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
+  const model::EffectInfo& info = model::findEffect(kUnevenLayers)->info;
+  if (!considered(replay, info.name, only)) return;
+  for (const auto& [sensor, profile] : replay.baseline().model.sensors) {
+    std::vector<double> pattern = layerGains(replay, sensor);
+    double squares = 0.0;
+    for (double& gain : pattern) {
+      gain -= 1.0;
+      squares += gain * gain;
+    }
+    if (squares <= 0.0) continue;
+    const double stddev = std::sqrt(squares / static_cast<double>(pattern.size()));
+    for (double& deviation : pattern) deviation /= stddev;
+    Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
+    if (!sensor.empty()) hypothesis.sensors = {sensor};
+    hypothesis.parameters.front().start = std::min(stddev, hypothesis.parameters.front().high);
+    hypothesis.apply = [pattern, sensors = hypothesis.sensors](World& world, const std::vector<double>& values) {
+      model::ActiveEffect uneven{kUnevenLayers, {}, sensors};
+      for (const double deviation : pattern)
+        uneven.parameters.lists["gain_per_layer"].push_back(std::max(0.05, 1.0 + values[0] * deviation));
+      world.model = model::withEffect(world.model, uneven);
+    };
+    list.push_back(std::move(hypothesis));
   }
 }
 
@@ -215,8 +288,34 @@ void addMaterials(const model::Scene& scene, const std::set<std::int32_t>& objec
   }
 }
 
+/// A quantity that is off by the same everywhere, and one that is off by something else in every set-up.
+void addReference(const std::string& pointer, const std::string& unit, double most,
+                  const std::vector<std::string>& setups, std::vector<Hypothesis>& list) {
+  Hypothesis constant;
+  constant.kind = CauseKind::kReference;
+  constant.name = pointer;
+  constant.parameters = {{"offset", unit, -most, most, false, 0.0}};
+  constant.apply = [pointer](World& world, const std::vector<double>& values) {
+    world.references.push_back({pointer, values[0], {}});
+  };
+  list.push_back(constant);
+  if (setups.size() < 2) return;
+  Hypothesis varying = constant;
+  varying.variant = "per set-up";
+  varying.per_setup = true;
+  varying.parameters.clear();
+  for (const std::string& setup : setups) varying.parameters.push_back({setup, unit, -most, most, false, 0.0});
+  varying.apply = [pointer, setups](World& world, const std::vector<double>& values) {
+    ReferenceOffset offset{pointer, 0.0, {}};
+    for (std::size_t i = 0; i < setups.size(); ++i) offset.by_setup[setups[i]] = values[i];
+    world.references.push_back(std::move(offset));
+  };
+  list.push_back(std::move(varying));
+}
+
 void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list) {
   constexpr std::size_t kMostObjects = 8;  // more of them would cost minutes and teach nothing
+  constexpr double kFarthest_m = 0.5, kMost_deg = 15.0;
   std::size_t count = 0;
   std::vector<std::size_t> everything(replay.samples().size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
@@ -225,39 +324,11 @@ void addReferences(const Replay& replay, const std::set<std::int32_t>& objects, 
     if (++count > kMostObjects) break;
     const auto& pose = replay.experiment().json["scene"][static_cast<std::size_t>(index)]["pose"];
     const std::string root = "/scene/" + std::to_string(index) + "/pose/";
-    for (int axis = 0; axis < 2; ++axis) {
-      const std::string pointer = root + "position_m/" + std::to_string(axis);
-      Hypothesis constant;
-      constant.kind = CauseKind::kReference;
-      constant.name = pointer;
-      constant.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
-      constant.apply = [pointer](World& world, const std::vector<double>& values) {
-        world.references.push_back({pointer, values[0], {}});
-      };
-      list.push_back(constant);
-      if (setups.size() < 2 || axis > 0) continue;
-      Hypothesis varying = constant;
-      varying.variant = "per set-up";
-      varying.per_setup = true;
-      varying.parameters.clear();
-      for (const std::string& setup : setups) varying.parameters.push_back({setup, "m", -0.5, 0.5, false, 0.0});
-      varying.apply = [pointer, setups](World& world, const std::vector<double>& values) {
-        ReferenceOffset offset{pointer, 0.0, {}};
-        for (std::size_t i = 0; i < setups.size(); ++i) offset.by_setup[setups[i]] = values[i];
-        world.references.push_back(std::move(offset));
-      };
-      list.push_back(std::move(varying));
+    for (const char* axis : {"0", "1"}) {
+      addReference(root + "position_m/" + axis, "m", kFarthest_m, setups, list);
     }
-    if (!pose.contains("yaw_pitch_roll_deg")) continue;
-    const std::string pointer = root + "yaw_pitch_roll_deg/0";
-    Hypothesis yaw;
-    yaw.kind = CauseKind::kReference;
-    yaw.name = pointer;
-    yaw.parameters = {{"offset", "deg", -15.0, 15.0, false, 0.0}};
-    yaw.apply = [pointer](World& world, const std::vector<double>& values) {
-      world.references.push_back({pointer, values[0], {}});
-    };
-    list.push_back(std::move(yaw));
+    if (pose.contains("yaw_pitch_roll_deg"))
+      addReference(root + "yaw_pitch_roll_deg/0", "deg", kMost_deg, setups, list);
   }
 }
 
@@ -278,6 +349,8 @@ std::string toString(CauseKind kind) {
 std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<std::string>& only) {
   std::vector<Hypothesis> list;
   addEffects(replay, only, list);
+  addParts(replay.experiment().sensors, list);
+  addPatterns(replay, only, list);
   addModelParameters(replay, list);
   const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
   const std::set<std::int32_t> objects = suspects(replay);

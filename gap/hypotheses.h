@@ -30,8 +30,9 @@ struct Hypothesis {
   std::function<void(World&, const std::vector<double>&)> apply;
   std::vector<std::string> percollect;  ///< graph nodes that the cause stands for
   std::string decomposition_block;
-  bool per_setup = false;           ///< one parameter a set-up, named after it
-  std::vector<Hypothesis> members;  ///< of a pair, in the order of its parameters; empty for a single cause
+  bool per_setup = false;            ///< one parameter a set-up, named after it
+  std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
+  std::vector<Hypothesis> members;   ///< of a pair, in the order of its parameters; empty for a single cause
 };
 
 /// Everything that the library offers for this experiment and model: effects that the model lacks, parameters of

@@ -19,9 +19,10 @@ namespace {
 
 constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
-constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
-constexpr std::size_t kPartnersFitted = 4;  // nearest partners of a cause
-constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
+constexpr std::size_t kSumsFitted = 6;                                    // nearest sums of two signatures
+constexpr std::size_t kPartnersFitted = 4;                                // nearest partners of a cause
+constexpr std::size_t kPartnered = 2;                                     // single causes that partners are looked for
+constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of the recorded emitter power
 constexpr int kExchanges = 2;
 constexpr std::size_t kScoutBeams = 120;
 constexpr unsigned kValuesOfOne = 7;  // at which the signature of a cause with one number is taken
@@ -58,6 +59,7 @@ class PairSearch {
       partnered.push_back(name);
       append(guesses, partnersOf(i, singles_[i].values));
     }
+    append(guesses, besideRecalibration());
     fit(std::move(guesses));
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
@@ -157,6 +159,19 @@ class PairSearch {
     }
     std::vector<Guess> guesses;
     for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+    return nearestOf(std::move(guesses), kPartnersFitted);
+  }
+
+  /// What goes best with another emitter power: whoever calibrated the model to its means has hidden the cause in it,
+  /// and no single hypothesis may look better than none.
+  [[nodiscard]] std::vector<Guess> besideRecalibration() const {
+    std::vector<Guess> guesses;
+    for (std::size_t i = 0; i < singles_.size(); ++i) {
+      const Hypothesis& hypothesis = singles_[i].hypothesis;
+      if (hypothesis.kind != CauseKind::kParameter || !hypothesis.name.ends_with("/peak_power_w")) continue;
+      for (const double factor : kRecalibrations)
+        append(guesses, partnersOf(i, {hypothesis.parameters[0].start * factor}));
+    }
     return nearestOf(std::move(guesses), kPartnersFitted);
   }
 

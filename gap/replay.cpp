@@ -11,9 +11,9 @@ namespace gap {
 
 namespace {
 
-constexpr int kFewestRays = 9;              // per direction, whatever the model has
-constexpr int kEdgeRays = 45;               // denser, sheared grid of partly hit beams: right to 1/45² of the power
-constexpr std::size_t kMostHits = 4000000;  // remembered, about 60 bytes each with their sub-rays and beams
+constexpr int kFewestRays = 9;                 // per direction, whatever the model has
+constexpr int kEdgeRays = 45;                  // denser, sheared grid of partly hit beams: right to 1/45² of the power
+constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 
 /// Leaves out beams in pairs of neighbouring columns until about `most` are left, with their measured detections.
 void thin(ReplaySample& sample, std::size_t most) {
@@ -51,10 +51,16 @@ void keep(const std::vector<std::uint32_t>& taken, std::vector<model::Shot>& sho
   for (model::Shot& shot : shots) shot.beam = static_cast<std::uint32_t>(placeOf(shot.beam) - taken.begin());
 }
 
-bool couplesBeams(const World& world) {
-  return std::any_of(world.model.effects.begin(), world.model.effects.end(), [](const model::ActiveEffect& effect) {
-    return model::findEffect(effect.name)->make(effect.parameters)->couplesBeams();
+bool couplesBeams(const World& world, const std::string& sensor) {
+  return std::any_of(world.model.effects.begin(), world.model.effects.end(), [&](const model::ActiveEffect& effect) {
+    return effect.actsOn(sensor) && model::findEffect(effect.name)->make(effect.parameters)->couplesBeams();
   });
+}
+
+std::size_t bytesOf(const model::BeamHits& hits) {
+  constexpr std::size_t kOfRay = 3 * sizeof(double);
+  return hits.beams.size() * (sizeof(model::Beam) + sizeof(std::uint32_t)) + hits.hits.size() * sizeof(model::Hit) +
+         hits.second.size() * sizeof(model::SecondHit) + hits.rays.size() * kOfRay;
 }
 
 /// The beams whose sub-rays do not all meet one object.
@@ -104,8 +110,8 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
   }
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const Geometry geometry = geometryOf(baseline_, s);
-    const model::SignalChain chain(baseline.sensor(samples_[s].sample->sensor), baseline.effects,
-                                   geometry->situation.environment);
+    const model::SignalChain chain(baseline.sensor(samples_[s].sample->sensor),
+                                   baseline.effectsOf(samples_[s].sample->sensor), geometry->situation.environment);
     samples_[s].layout = std::make_unique<CellLayout>(geometry->hits, geometry->situation.scene, chain,
                                                       samples_[s].measured.hasDirections());
     samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
@@ -142,7 +148,7 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   auto traced = std::make_shared<model::TracedSample>();
   traced->situation = situationIn(world, experiment_, sample);
   const model::SensorProfile& sensor = world.model.sensor(sample.sensor);
-  const model::SignalChain chain(sensor, world.model.effects, traced->situation.environment);
+  const model::SignalChain chain(sensor, world.model.effectsOf(sample.sensor), traced->situation.environment);
   const model::ChainSettings& settings = chain.settings();
   const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
   std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
@@ -164,7 +170,7 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
 }
 
 Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
-  const bool whole = couplesBeams(world) && !samples_[sample].taken.empty();
+  const bool whole = couplesBeams(world, samples_[sample].sample->sensor) && !samples_[sample].taken.empty();
   const std::string key = std::to_string(sample) + (whole ? "*" : ":") + geometryKey(world, *samples_[sample].sample);
   {
     const std::lock_guard lock(mutex_);
@@ -173,8 +179,8 @@ Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) cons
   }
   Geometry geometry = trace(world, sample);
   const std::lock_guard lock(mutex_);
-  const std::size_t hits = geometry->hits.hits.size() + geometry->hits.beams.size();
-  if (remembered_hits_ + hits <= kMostHits && traced_.emplace(key, geometry).second) remembered_hits_ += hits;
+  const std::size_t bytes = bytesOf(geometry->hits);
+  if (remembered_bytes_ + bytes <= kMostBytes && traced_.emplace(key, geometry).second) remembered_bytes_ += bytes;
   return geometry;
 }
 
@@ -190,7 +196,7 @@ std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int fra
     const auto found = world.reflectivity.find(material.name);
     if (found != world.reflectivity.end()) material.reflectivity = found->second;
   }
-  const model::SignalChain chain(world.model.sensor(sample.sensor), world.model.effects,
+  const model::SignalChain chain(world.model.sensor(sample.sensor), world.model.effectsOf(sample.sensor),
                                  geometry->situation.environment);
   std::vector<model::Shot> shots = chain.run(
       geometry->hits, scene, {.seed = seed, .sample = static_cast<std::uint32_t>(samples_[s].index), .frames = frames});
@@ -198,8 +204,29 @@ std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int fra
   return shots;
 }
 
+bool Replay::untouched(const World& world, const std::string& sensor) const {
+  if (experiment_.sensors.size() < 2 || !world.references.empty() || !world.reflectivity.empty()) return false;
+  const auto sameEffect = [](const model::ActiveEffect& a, const model::ActiveEffect& b) {
+    return a.name == b.name && a.parameters.numbers == b.parameters.numbers &&
+           a.parameters.texts == b.parameters.texts && a.parameters.lists == b.parameters.lists;
+  };
+  const auto effects = world.model.effectsOf(sensor), before = baseline_.model.effectsOf(sensor);
+  return std::equal(effects.begin(), effects.end(), before.begin(), before.end(), sameEffect) &&
+         world.model.json["sensors"][sensor] == baseline_.model.json["sensors"][sensor];
+}
+
 std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
-  return samples_[s].layout->statisticsOf(fire(world, s, frames, seed));
+  const auto simulated = [&] { return samples_[s].layout->statisticsOf(fire(world, s, frames, seed)); };
+  if (!untouched(world, samples_[s].sample->sensor)) return simulated();
+  const auto key = std::make_tuple(s, frames, seed);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = untouched_.find(key);
+    if (found != untouched_.end()) return found->second;
+  }
+  auto statistics = simulated();
+  const std::lock_guard lock(mutex_);
+  return untouched_.try_emplace(key, std::move(statistics)).first->second;
 }
 
 core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {

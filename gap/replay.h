@@ -1,9 +1,11 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -66,6 +68,8 @@ class Replay {
 
  private:
   using Geometry = std::shared_ptr<const model::TracedSample>;
+  /// Where several sensors stand side by side: whether this one sees nothing of what the world changes.
+  [[nodiscard]] bool untouched(const World& world, const std::string& sensor) const;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
   [[nodiscard]] Geometry trace(const World& world, std::size_t sample) const;
   void addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const;
@@ -79,7 +83,8 @@ class Replay {
   std::array<double, kChannels> resolution_{};
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, Geometry> traced_;
-  mutable std::size_t remembered_hits_ = 0;
+  mutable std::size_t remembered_bytes_ = 0;
+  mutable std::map<std::tuple<std::size_t, int, std::uint64_t>, std::vector<CellStatistics>> untouched_;
 };
 
 /// The set-ups of some samples, each once, in the order of the samples.

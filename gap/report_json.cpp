@@ -54,6 +54,7 @@ Json toJson(const Cause& cause) {
                {"chain", cause.chain}};
   if (!cause.chain_titles.empty()) json["chain_titles"] = cause.chain_titles;
   if (!cause.variant.empty()) json["variant"] = cause.variant;
+  if (!cause.sensors.empty()) json["sensors"] = cause.sensors;
   if (!cause.setups.empty()) {
     for (const auto& [setup, p] : cause.setups) {
       json["setups"][setup] = {{"value", p.value}, {"interval", toJson(p.interval)}};

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "core/physics.h"
+#include "core/random.h"
 #include "gap/discrepancy.h"
 
 namespace gap {
@@ -110,16 +110,13 @@ double settle(const Replay& replay, const World& world, std::span<Comparison> co
   return price;
 }
 
-std::size_t offsetsFor(const Replay& replay, const World& world, std::span<const std::size_t> samples) {
-  std::set<std::pair<std::string, std::string>> offsets;
-  for (const std::size_t s : samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    for (const Tolerance& tolerance : sample.tolerances) {
-      if (tolerance.high <= tolerance.low || sample.layout->pooled() || movedBy(world, tolerance.pointer)) continue;
-      offsets.insert({sample.sample->setup, tolerance.pointer});
-    }
+void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed) {
+  std::uint32_t number = 0;
+  for (const Offset& offset : offsetsOf(replay, world, comparisons)) {
+    core::Random random({.seed = seed, .frame = number++, .purpose = core::purposeOf("reference")});
+    const double by = std::clamp(std::sqrt(offset.variance) * random.normal(), offset.low, offset.high);
+    move(replay, offset, by);
   }
-  return offsets.size();
 }
 
 }  // namespace gap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "gap/comparison.h"
@@ -14,8 +15,8 @@ namespace gap {
 /// intensities and echo pulse widths move to first order.
 double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Half half);
 
-/// Number of offsets that `settle` has for these samples: under a right model its price is half of it in the mean, with
-/// half of it as variance (chi-squared).
-[[nodiscard]] std::size_t offsetsFor(const Replay& replay, const World& world, std::span<const std::size_t> samples);
+/// Moves the simulated surfaces as the reference may have stood: by offsets drawn at random from the same distribution,
+/// one for the samples of a set-up.
+void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed);
 
 }  // namespace gap

@@ -1,5 +1,6 @@
 #include "gap/wording.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -12,6 +13,18 @@ namespace {
 std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }
 
 std::string listOf(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, " and ")); }
+
+/// "range-walk (sensor a only)".
+std::string namesOf(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const std::string& name : diagnosis.verdict.names) {
+    const auto cause =
+        std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(), [&](const Cause& c) { return c.name == name; });
+    const bool partial = cause != diagnosis.causes.end() && !cause->sensors.empty();
+    names.push_back(partial ? fmt::format("{} (sensor {} only)", name, listOf(cause->sensors)) : name);
+  }
+  return listOf(names);
+}
 
 }  // namespace
 
@@ -36,7 +49,7 @@ std::string findingSentence(const Diagnosis& diagnosis) {
     case VerdictKind::kNone:
       return "Measurement and simulation do not differ by more than their uncertainty " + sure + ".";
     case VerdictKind::kEffect:
-      return fmt::format("The model lacks {}; with it {} {}.{}", listOf(verdict.names), shrink, sure, ties);
+      return fmt::format("The model lacks {}; with it {} {}.{}", namesOf(diagnosis), shrink, sure, ties);
     case VerdictKind::kParameter:
       return fmt::format("The parameter {} has a wrong value; with the fitted one {} {}.{}", listOf(verdict.names),
                          shrink, sure, ties);

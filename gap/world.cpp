@@ -12,6 +12,7 @@ double ReferenceOffset::of(const std::string& setup) const {
 std::string geometryKey(const World& world, const model::Sample& sample) {
   std::string key;
   for (const model::ActiveEffect& effect : world.model.effects) {
+    if (!effect.actsOn(sample.sensor)) continue;
     if (!model::findEffect(effect.name)->info.moves_geometry) continue;
     key += effect.name + "{";
     for (const auto& [name, value] : effect.parameters.numbers) key += name + "=" + core::shortestNumber(value) + ";";

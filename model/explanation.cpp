@@ -81,7 +81,8 @@ std::string toString(Fate fate) {
 Explainer::Explainer(const Experiment& experiment, const LidarModel& model, std::size_t sample,
                      std::optional<std::uint64_t> seed)
     : traced_(traceSample(experiment, model, experiment.samples.at(sample))),
-      chain_(model.sensor(experiment.samples[sample].sensor), model.effects, traced_.situation.environment),
+      chain_(model.sensor(experiment.samples[sample].sensor), model.effectsOf(experiment.samples[sample].sensor),
+             traced_.situation.environment),
       options_{.seed = seed.value_or(model.seed),
                .sample = static_cast<std::uint32_t>(sample),
                .frames = experiment.samples[sample].frames} {}

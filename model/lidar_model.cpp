@@ -15,6 +15,17 @@ std::vector<std::string> effectNames() {
   return names;
 }
 
+std::vector<std::string> readSensorsOf(core::JsonObject& effect, const LidarModel& model) {
+  const std::vector<std::string> sensors = effect.texts("sensors");
+  for (const std::string& sensor : sensors) {
+    if (model.sensors.count(sensor) == 0) {
+      effect.fail("sensors", "names '" + sensor + "', which is no sensor of this model.",
+                  "Name some of the model's 'sensors', or leave the key out for all.");
+    }
+  }
+  return sensors;
+}
+
 void readEffects(core::JsonObject effects, LidarModel& model) {
   for (const std::string& name : effects.keys()) {
     if (!findEffect(name)) {
@@ -25,7 +36,9 @@ void readEffects(core::JsonObject effects, LidarModel& model) {
   }
   for (const EffectEntry& entry : allEffects()) {  // the order of the chain, whatever the order in the file
     if (!effects.has(entry.info.name)) continue;
-    model.effects.push_back({entry.info.name, readEffectParameters(entry, effects.object(entry.info.name))});
+    core::JsonObject effect = effects.object(entry.info.name);
+    const std::vector<std::string> sensors = readSensorsOf(effect, model);
+    model.effects.push_back({entry.info.name, readEffectParameters(entry, effect), sensors});
   }
 }
 
@@ -61,6 +74,17 @@ bool LidarModel::has(const std::string& effect) const {
   return std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& e) { return e.name == effect; });
 }
 
+bool ActiveEffect::actsOn(const std::string& sensor) const {
+  return sensors.empty() || std::find(sensors.begin(), sensors.end(), sensor) != sensors.end();
+}
+
+std::vector<ActiveEffect> LidarModel::effectsOf(const std::string& sensor) const {
+  std::vector<ActiveEffect> acting;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(acting),
+               [&](const ActiveEffect& effect) { return effect.actsOn(sensor); });
+  return acting;
+}
+
 const SensorProfile& LidarModel::sensor(const std::string& name) const {
   const auto found = sensors.find(name);
   if (found != sensors.end()) return found->second;
@@ -90,17 +114,18 @@ LidarModel parseModel(nlohmann::json value, const std::filesystem::path& file) {
 
 LidarModel readModel(const std::filesystem::path& file) { return parseModel(core::readJson(file), file); }
 
-LidarModel withEffect(const LidarModel& model, const std::string& name, const EffectParameters& parameters) {
+LidarModel withEffect(const LidarModel& model, const ActiveEffect& effect) {
   LidarModel changed = model;
   nlohmann::json values = nlohmann::json::object();
-  for (const auto& [key, number] : parameters.numbers) values[key] = number;
-  for (const auto& [key, text] : parameters.texts) values[key] = text;
-  for (const auto& [key, list] : parameters.lists) values[key] = list;
-  changed.json["effects"][name] = values;
+  for (const auto& [key, number] : effect.parameters.numbers) values[key] = number;
+  for (const auto& [key, text] : effect.parameters.texts) values[key] = text;
+  for (const auto& [key, list] : effect.parameters.lists) values[key] = list;
+  if (!effect.sensors.empty()) values["sensors"] = effect.sensors;
+  changed.json["effects"][effect.name] = values;
   changed.effects.clear();
   for (const EffectEntry& entry : allEffects()) {
-    if (entry.info.name == name) {
-      changed.effects.push_back({name, parameters});
+    if (entry.info.name == effect.name) {
+      changed.effects.push_back(effect);
       continue;
     }
     const auto found = std::find_if(model.effects.begin(), model.effects.end(),

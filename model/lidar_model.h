@@ -16,6 +16,9 @@ namespace model {
 struct ActiveEffect {
   std::string name;
   EffectParameters parameters;
+  std::vector<std::string> sensors;  ///< on which alone it acts; empty: on all
+
+  [[nodiscard]] bool actsOn(const std::string& sensor) const;
 };
 
 /// The simulation model under test (formats.md section 4): sensor, sampling and effects. An effect not listed is off.
@@ -31,6 +34,8 @@ struct LidarModel {
   std::optional<ExternalModel> external;  ///< a command or a recording in place of all of the above but id and seed
 
   [[nodiscard]] bool has(const std::string& effect) const;
+  /// The effects that act on a sensor.
+  [[nodiscard]] std::vector<ActiveEffect> effectsOf(const std::string& sensor) const;
   /// Throws InputError if the model has no sensor of that name, or is external.
   [[nodiscard]] const SensorProfile& sensor(const std::string& name) const;
 };
@@ -39,7 +44,6 @@ struct LidarModel {
 [[nodiscard]] LidarModel parseModel(nlohmann::json json, const std::filesystem::path& file);
 
 /// The model with one more effect (or with other parameters of one that it has).
-[[nodiscard]] LidarModel withEffect(const LidarModel& model, const std::string& name,
-                                    const EffectParameters& parameters);
+[[nodiscard]] LidarModel withEffect(const LidarModel& model, const ActiveEffect& effect);
 
 }  // namespace model

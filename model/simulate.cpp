@@ -21,7 +21,7 @@ constexpr const char* kReflectionFolder = "reflections";
 constexpr const char* kTraceEnding = ".osi";
 
 SignalChain chainOf(const LidarModel& model, const Sample& sample, const Environment& environment) {
-  return {model.sensor(sample.sensor), model.effects, environment};
+  return {model.sensor(sample.sensor), model.effectsOf(sample.sensor), environment};
 }
 
 nlohmann::json simulatedExperimentJson(const Experiment& experiment, const LidarModel& model,
@@ -193,7 +193,7 @@ core::Detections receive(const ReflectionTrace& trace, const LidarModel& model, 
                          std::optional<std::uint64_t> seed) {
   if (model.external) throw noReflections(model);
   const SensorProfile& profile = model.sensor(sensor);
-  const SignalChain chain(profile, model.effects, {});
+  const SignalChain chain(profile, model.effectsOf(sensor), {});
   const std::vector<Beam> nominal = beamsOf(profile.scan);
   const RunOptions options{.seed = seed.value_or(model.seed), .sample = 0, .frames = 1};
   return toDetections(receiveViews(trace, chain, aimed(chain, model, nominal), {}, options), nominal, profile);

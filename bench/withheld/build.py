@@ -142,7 +142,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
         raise cases.Impossible(name)
     rng = random.Random(f"noise/{seed}/{slot}/{attempt}/{generator}")
     lab = Lab(draft, rng, bin_folder, generator)
-    visible = class_name != "none"
+    visible = draft.kind != "none"
     u = lab.search(rng.choice(TARGETS)) if visible else 0.0
     cause = draft.cause(u)
     world, model = cases.truth_world(draft, cause)  # before the baseline is recalibrated
@@ -173,7 +173,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
         "format": "fidelis-withheld-case", "version": FORMAT, "id": number, "class": class_name, "name": name, "family": draft.family,
         "generator": generator, "without": draft.library, "seed": seed, "slot": list(slot), "scatter": draft.scatter,
         "severity": s, "strength": u,
-        "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where,
+        "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where, "sensors": draft.sensors,
                   "hidden_by": draft.hide_by, "measurands": [n for n, v in shifts.items() if visible and v > 0.3 * largest],
                   "shifts": shifts, "oracle": oracle(lab, tables, world, model, lacking)},
         "detections": sum(len(t["layer"]) for t in tables.values())})

@@ -11,6 +11,8 @@ A slot (class, name, number) and the seed give a case; its id is a meaningless n
   removed     an effect withheld from the model, and from the library too
   hidden      an effect withheld, and the baseline recalibrated so that the mean of one channel agrees
   ambiguous   a design that cannot tell: one range, one channel
+  beside      two sensors side by side, set-up by set-up: an effect of one of them, of both, a reference error that both
+              see, or nothing
 
 `Draft.cause(u)` says what the true world has at strength u (0 barely, 1 strong) beyond the baseline.
 """
@@ -26,11 +28,12 @@ import scenes
 import sensors
 
 CLASSES = {"effect": 0.48, "pair": 0.10, "parameter": 0.10, "reference": 0.10, "none": 0.08, "outside": 0.04, "removed": 0.04,
-           "hidden": 0.04, "ambiguous": 0.02}
+           "hidden": 0.04, "ambiguous": 0.02, "beside": 0.06}
 PARAMETERS = ["reflectivity", "emitter/peak_power_w", "receiver/threshold_w", "receiver/noise_w", "detection/range_noise_m",
               "detection/epw_noise_m", "emitter/pulse_fwhm_ns", "visibility_m"]
 BUDGET = 3000  # about so many beams of all frames in a sample
 REFERENCES = ["everywhere", "per-setup"]
+BESIDE = ["one", "one", "both", "reference", "nothing"]
 AMBIGUOUS = ["range-offset", "clock-drift", "reference", "atmospheric-attenuation", "reflectivity"]
 
 
@@ -56,6 +59,12 @@ class Draft:
     scatter: dict  # {pointer: standard deviation over set-ups}
     library: list = field(default_factory=list)  # effects left out of the library
     hide_by: str = ""                            # pointer of what is recalibrated
+    sensors: list = field(default_factory=list)  # on which alone the effect exists
+
+
+# What both sensors have (weather) or what the geometry of both hangs on is not given to one of them.
+NEVER_BESIDE = ["beam-divergence", "pulse-broadening", "atmospheric-attenuation", "atmospheric-backscatter", "precipitation-clutter",
+                "road-spray", "exhaust-cloud", "angular-reflection", "transmission", "multipath", "retroreflection"]
 
 
 class Impossible(Exception):
@@ -70,7 +79,7 @@ def names_of(class_name, laws=laws_of("foreign")):
     """What a class goes through in turn."""
     return {"effect": list(effects.LIBRARY), "removed": list(effects.LIBRARY), "pair": ["two"], "parameter": PARAMETERS,
             "reference": REFERENCES, "none": ["scatter", "quiet"], "outside": list(laws), "hidden": effects.WEAKENING,
-            "ambiguous": AMBIGUOUS}[class_name]
+            "ambiguous": AMBIGUOUS, "beside": BESIDE}[class_name]
 
 
 def slots(seed, classes=None, names=None, laws=laws_of("own")):
@@ -159,8 +168,30 @@ def draw(seed, slot, attempt):
                 "rays_per_beam": rng.choice([[5, 7], [5, 11], [7, 7]]), "seed": rng.randint(1, 10**6), "effects": present}
     scatter = {scene.references[0]: known_m / 2} if rng.random() < 0.9 else {}
     draft = Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter)
+    if class_name == "beside":
+        put_beside(rng, draft, scene, profile)
     MAKERS[class_name](rng, draft, scene, name)
     return draft
+
+
+def put_beside(rng, draft, scene, profile):
+    """A second sensor: it measures every set-up as well, with the same measurands and another power, noise and scan."""
+    other = copy.deepcopy(profile)
+    other["emitter"]["peak_power_w"] = effects.digits(profile["emitter"]["peak_power_w"] * rng.uniform(0.7, 1.5))
+    other["detection"]["range_noise_m"] = round(profile["detection"]["range_noise_m"] * rng.uniform(0.7, 1.5), 4)
+    for layer in other["scan"]["layers"]:
+        layer["azimuth_deg"]["step"] = round(layer["azimuth_deg"]["step"] * rng.uniform(1.0, 1.4), 3)
+    for document in (draft.experiment, draft.baseline):
+        del document["sensor"]
+        document["sensors"] = {"left": copy.deepcopy(profile), "right": other}
+    samples = []
+    for sample in draft.experiment["samples"]:
+        for sensor in ("left", "right"):
+            own = copy.deepcopy(sample)
+            own.update(id=f"{sample['id']}-{sensor}", sensor=sensor, frames=max(5, sample["frames"] // 2),
+                       measurements=f"measurements/{sample['id']}-{sensor}.csv.gz")
+            samples.append(own)
+    draft.experiment["samples"] = samples
 
 
 def make_ambiguous(rng, scene, profile, name):
@@ -171,9 +202,13 @@ def make_ambiguous(rng, scene, profile, name):
     profile["detection"]["output"] = ["range"] if name in ("range-offset", "clock-drift", "reference") else ["range", "epw"]
 
 
+def a_sensor(draft):
+    return draft.baseline["sensor"] if "sensor" in draft.baseline else draft.baseline["sensors"]["left"]
+
+
 def withhold(rng, draft, scene, name):
     """The effect as a strength -> (name, parameters), and out of the baseline."""
-    profile = draft.baseline["sensor"]
+    profile = a_sensor(draft)
     if not effects.possible(name, scene, profile):
         raise Impossible(name)
     draft.baseline["effects"].pop(name, None)
@@ -292,8 +327,26 @@ def make_of_ambiguous(rng, draft, scene, name):
         make_effect(rng, draft, scene, name)
 
 
+def make_beside(rng, draft, scene, name):
+    if name == "nothing":
+        return
+    if name == "reference":
+        make_reference(rng, draft, scene, "per-setup")
+        return
+    profile = a_sensor(draft)
+    able = [n for n in effects.LIBRARY if effects.possible(n, scene, profile) and n not in NEVER_BESIDE]
+    effect = rng.choice(able)
+    recipe = withhold(rng, draft, scene, effect)
+    sensor = rng.choice(["left", "right"])
+    part = {"sensors": [sensor]} if name == "one" else {}
+    draft.kind, draft.names = "effect", [effect]
+    draft.sensors = part.get("sensors", [])
+    draft.cause = lambda u: Cause(effects={effect: {**recipe(u), **part}}, parameters=recipe(u), where=where_of(effect, recipe(u)))
+
+
 MAKERS = {"effect": make_effect, "pair": make_pair, "parameter": make_parameter, "reference": make_reference, "none": make_none,
-          "outside": make_outside, "removed": make_removed, "hidden": make_hidden, "ambiguous": make_of_ambiguous}
+          "outside": make_outside, "removed": make_removed, "hidden": make_hidden, "ambiguous": make_of_ambiguous,
+          "beside": make_beside}
 
 
 def truth_world(draft, cause):

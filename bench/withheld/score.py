@@ -78,6 +78,14 @@ def recovery(truth, report):
     return errors
 
 
+def right_sensors(truth, report):
+    """Whether the cause is said to hold on the sensors on which it does; None where one sensor measured."""
+    if truth.get("sensors") is None or not truth["names"]:
+        return None
+    cause = next((c for c in report.get("causes", []) if truth["names"][0] in cause_names(c)), {})
+    return sorted(cause.get("sensors", [])) == sorted(truth["sensors"])
+
+
 def judge(case, result):
     """Everything that the table counts, of one case."""
     truth = case["truth"]
@@ -95,6 +103,8 @@ def judge(case, result):
     right = named_first(truth, verdict)
     if case["class"] == "ambiguous":  # a large set, or low confidence, is the honest answer there
         right = right or set(truth["names"]) <= equivalents(verdict)
+    if case["class"] == "beside":
+        row["sensors"] = right and right_sensors(truth, report)
     claimed = report.get("shrink") or {}
     row.update(right=right, top3=right or bool(truth["names"]) and among_first(truth, report), kind=verdict["kind"],
                found=verdict.get("names", []), equivalents=sorted(equivalents(verdict) - set(verdict.get("names", []))),
@@ -163,6 +173,9 @@ def table(rows):
          rate(of_class(rows, "hidden"), lambda r: r["right"] or set(r["truth"]) <= set(r["found"]))),
         ("design that cannot tell: not confidently wrong", "", rate(of_class(rows, "ambiguous"), lambda r: r["right"] or (
             r["confidence"] or 0.0) < CONFIDENT and r["status"] == "done")),
+        ("sensors side by side: right cause", "", rate(of_class(rows, "beside"), lambda r: r["right"])),
+        ("sensors side by side: right cause on the right sensors", "",
+         rate([r for r in of_class(rows, "beside") if r["truth_kind"] == "effect"], lambda r: bool(r.get("sensors")))),
         ("first where row in the right measurand", ">= 0.95", rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r["where"])),
         ("where: right stratum, where the truth has one", ">= 0.95", rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r["stratum"])),
         ("claimed against actual shrink, median error", "<= 0.05", number(chance.median([r["shrink_error"] for r in shrunk]), len(shrunk))),

@@ -55,23 +55,41 @@ TEST(LidarModel, SensorsOfAModelMatchThoseOfTheExperimentByName) {
   EXPECT_NE(lab::refusal([&] { (void)model.sensor("c"); }).find("has no sensor 'c'"), std::string::npos);
 }
 
+TEST(LidarModel, AnEffectMayActOnSomeSensorsOnly) {
+  nlohmann::json json = lab::modelJson({});
+  json["sensors"] = {{"a", json["sensor"]}, {"b", json["sensor"]}};
+  json.erase("sensor");
+  json["effects"] = {{"beam-divergence", nlohmann::json::object()},
+                     {"range-offset", {{"offset_m", 0.1}, {"sensors", {"b"}}}}};
+  const LidarModel model = parseModel(json, "model.json");
+  EXPECT_EQ(model.effectsOf("a").size(), 1u);
+  ASSERT_EQ(model.effectsOf("b").size(), 2u);
+  EXPECT_EQ(model.effectsOf("b")[1].name, "range-offset");
+  const LidarModel more = withEffect(model, {"range-walk", {}, {"a"}});
+  EXPECT_EQ(parseModel(more.json, "model.json").effectsOf("a").size(), 2u);
+
+  json["effects"]["range-offset"]["sensors"] = {"c"};
+  EXPECT_NE(refusalOf(json).find("/effects/range-offset/sensors: names 'c', which is no sensor of this model."),
+            std::string::npos);
+}
+
 TEST(LidarModel, OneMoreEffectIsAddedAtItsPlaceAndInTheJson) {
   lab::Case setup;
   setup.effects = {{"beam-divergence", nlohmann::json::object()}, {"range-offset", {{"offset_m", 0.1}}}};
   EffectParameters parameters;
   parameters.numbers["visibility_m"] = 300;
-  const LidarModel more = withEffect(lab::modelOf(setup), "atmospheric-attenuation", parameters);
+  const LidarModel more = withEffect(lab::modelOf(setup), {"atmospheric-attenuation", parameters, {}});
   ASSERT_EQ(more.effects.size(), 3u);
   EXPECT_EQ(more.effects[1].name, "atmospheric-attenuation");
   const LidarModel again = parseModel(more.json, "model.json");
   EXPECT_EQ(again.effects[1].parameters.number("visibility_m"), 300.0);
   parameters.numbers["visibility_m"] = 400;
-  const LidarModel other = withEffect(more, "atmospheric-attenuation", parameters);
+  const LidarModel other = withEffect(more, {"atmospheric-attenuation", parameters, {}});
   EXPECT_EQ(other.effects.size(), 3u);
   EXPECT_EQ(other.effects[1].parameters.number("visibility_m"), 400.0);
   EffectParameters shifted;
   shifted.lists["position_m"] = {0.1, 0, -0.2};
-  const LidarModel mounted = withEffect(other, "mounting-error", shifted);
+  const LidarModel mounted = withEffect(other, {"mounting-error", shifted, {}});
   EXPECT_EQ(mounted.json["effects"]["mounting-error"]["position_m"], nlohmann::json({0.1, 0.0, -0.2}));
 }
 

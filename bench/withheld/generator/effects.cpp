@@ -17,7 +17,7 @@ Parameter list(const char* name) { return {name, 0, 0, Parameter::Kind::list}; }
 Parameter law(const char* name) { return {name, 0, 0, Parameter::Kind::law}; }
 
 std::vector<std::string> namesOf(const EffectEntry& entry) {
-  std::vector<std::string> names;
+  std::vector<std::string> names{"sensors"};
   for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
   return names;
 }
@@ -135,6 +135,16 @@ Effects::Effects(const Json& json, const std::string& place) {
     for (const Parameter& parameter : entry.parameters) checkBounds(parameter, fields);
     given_[name] = parameters;
   }
+}
+
+Effects Effects::of(const std::string& sensor) const {
+  Effects own = *this;
+  std::erase_if(own.given_, [&](const auto& entry) {
+    if (!entry.second.contains("sensors")) return false;
+    const auto sensors = entry.second["sensors"].template get<std::vector<std::string>>();
+    return std::find(sensors.begin(), sensors.end(), sensor) == sensors.end();
+  });
+  return own;
 }
 
 std::optional<double> Effects::number(const std::string& effect, const std::string& parameter) const {

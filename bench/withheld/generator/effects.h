@@ -32,6 +32,9 @@ class Effects {
   /// Throws BadInput at unknown effects and parameters, and at numbers out of bounds.
   Effects(const Json& json, const std::string& place);
 
+  /// Those of one sensor: an effect with "sensors": ["a", …] exists on these only.
+  [[nodiscard]] Effects of(const std::string& sensor) const;
+
   [[nodiscard]] bool on(const std::string& effect) const { return given_.contains(effect); }
   /// The number given, or nothing; also nothing if the effect is off.
   [[nodiscard]] std::optional<double> number(const std::string& effect, const std::string& parameter) const;

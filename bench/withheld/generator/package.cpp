@@ -208,12 +208,13 @@ std::string simulateOne(const Sample& sample, const World& world, std::uint64_t 
                    "names the sensor '" + sample.sensor + "', which the model does not have.",
                    "Give the model the same sensors as the experiment.");
   }
+  const Effects effects = world.effects.of(sample.sensor);
   Profile profile = sensor->second;
-  profile.divergence_h_rad = world.effects.number("beam-divergence", "horizontal_rad", profile.divergence_h_rad);
-  profile.divergence_v_rad = world.effects.number("beam-divergence", "vertical_rad", profile.divergence_v_rad);
+  profile.divergence_h_rad = effects.number("beam-divergence", "horizontal_rad", profile.divergence_h_rad);
+  profile.divergence_v_rad = effects.number("beam-divergence", "vertical_rad", profile.divergence_v_rad);
   const std::vector<Beam> beams = sample.beams.empty() ? profile.scan : sample.beams;
   const Situation situation{profile,
-                            world.effects,
+                            effects,
                             sample.environment,
                             sample.scene,
                             beams,

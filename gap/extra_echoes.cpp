@@ -1,0 +1,106 @@
+#include "gap/extra_echoes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/discrepancy.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kGroups = 6;
+constexpr double kEdgeFloor = 0.004;   // detections per frame and beam: what the reference leaves open at edges
+constexpr double kClearFloor = 2e-4;   // elsewhere: nothing but counting
+constexpr double kMostDeviation = 10;  // z of a mean or a spread; what one side lacks altogether costs as much
+constexpr double kFewest = 5.0;        // detections that make a mean
+constexpr double kSpreadError = 0.15;  // of the logarithm of a variance: such echoes are far from normal
+
+struct Side {
+  std::span<const CellStatistics> statistics;
+  int frames;
+
+  [[nodiscard]] double rate(const std::vector<std::size_t>& cells, std::size_t begin, std::size_t end) const {
+    double count = 0.0;
+    for (std::size_t i = begin; i < end; ++i) count += statistics[cells[i]].count;
+    return count / (static_cast<double>(end - begin) * frames);
+  }
+  [[nodiscard]] CellStatistics together(const std::vector<std::size_t>& cells) const {
+    CellStatistics sum;
+    for (const std::size_t c : cells) {
+      sum.count += statistics[c].count;
+      for (std::size_t channel = 0; channel < kChannels; ++channel) {
+        sum.sum[channel] += statistics[c].sum[channel];
+        sum.sum_of_squares[channel] += statistics[c].sum_of_squares[channel];
+      }
+    }
+    return sum;
+  }
+};
+
+double weightOf(const std::vector<std::size_t>& cells) {
+  return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(kGroups));
+}
+
+/// Detections per frame in so many groups of beams.
+double ofRates(const std::vector<std::size_t>& cells, const Side& measured, const Side& simulated, double floor,
+               std::size_t most_groups) {
+  double result = 0.0;
+  const std::size_t groups = std::min(most_groups, cells.size());
+  for (std::size_t g = 0; g < groups; ++g) {
+    const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
+    const auto size = static_cast<double>(end - begin);
+    const double m = measured.rate(cells, begin, end), s = simulated.rate(cells, begin, end);
+    // One detection more than there were: a count of zero is no proof of a rate of zero.
+    const double rate = 0.5 * (m + s) + 0.5 / (size * (measured.frames + simulated.frames));
+    const double error = rate / size * (1.0 / measured.frames + 1.0 / simulated.frames) + floor * floor;
+    const double z = (m - s) / std::sqrt(error);
+    result += groups > 1 ? groupLoss(z) : robustLoss(z);
+  }
+  return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups)) * result;
+}
+
+double ofValues(const Replay& replay, const std::vector<std::size_t>& cells, const Side& measured,
+                const Side& simulated) {
+  const CellStatistics m = measured.together(cells), s = simulated.together(cells);
+  if (m.count < kFewest && s.count < kFewest) return 0.0;
+  // No world may save itself a wrong mean by having none; nor does the step from few to enough cost anything.
+  const double most = std::min(kMostDeviation, std::sqrt(std::max(m.count, s.count)) - std::sqrt(kFewest));
+  double result = 0.0;
+  for (const Channel channel : replay.channels()) {
+    double of_mean = most, of_spread = most;
+    if (m.count >= kFewest && s.count >= kFewest) {
+      const double step = replay.resolution(channel), small = step * step / 12.0;
+      const double vm = m.variance(channel) + small, vs = s.variance(channel) + small;
+      of_mean = (m.mean(channel) - s.mean(channel)) / std::sqrt(vm / m.count + vs / s.count + small);
+      of_spread =
+          std::log(vm / vs) / std::sqrt(2.0 / (m.count - 1.0) + 2.0 / (s.count - 1.0) + kSpreadError * kSpreadError);
+    }
+    result += groupLoss(std::min(most, std::abs(of_mean))) + groupLoss(std::min(most, std::abs(of_spread)));
+  }
+  return weightOf(cells) * result;
+}
+
+}  // namespace
+
+double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Half half) {
+  const ReplaySample& sample = replay.samples()[comparison.sample];
+  const auto& cells = sample.layout->cells();
+  std::vector<std::size_t> clear, edges;
+  for (std::size_t c = sample.layout->surfaces(); c < cells.size(); ++c) {
+    if (takesPart(sample, cells[c], half)) (cells[c].at_edge ? edges : clear).push_back(c);
+  }
+  const Side measured{comparison.measured, comparison.measured_frames};
+  const Side simulated{comparison.simulated, comparison.simulated_frames};
+  double result = 0.0;
+  if (!edges.empty()) result += ofRates(edges, measured, simulated, kEdgeFloor, kGroups);
+  if (!clear.empty()) {
+    // What is rare shows in all beams together, where it comes from in groups of them.
+    result +=
+        ofRates(clear, measured, simulated, kClearFloor, 1) + ofRates(clear, measured, simulated, kClearFloor, kGroups);
+    result += ofValues(replay, clear, measured, simulated);
+  }
+  return result;
+}
+
+}  // namespace gap

@@ -1,0 +1,66 @@
+#include "gap/layer_gains.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr int kFrames = 6;
+constexpr std::size_t kFewestCells = 5;
+
+/// Logarithm of the ratio of the received powers.
+double logRatio(const CellStatistics& measured, const CellStatistics& simulated, Channel channel, double pulse_m) {
+  const double m = measured.mean(channel), s = simulated.mean(channel);
+  return channel == kIntensity ? std::log(m / s) : std::log(2.0) * (m * m - s * s) / (pulse_m * pulse_m);
+}
+
+std::vector<std::size_t> samplesOf(const Replay& replay, const std::string& sensor, bool held_out) {
+  std::vector<std::size_t> samples;
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const model::Sample& sample = *replay.samples()[s].sample;
+    if (sample.sensor != sensor || replay.samples()[s].layout->pooled()) continue;
+    if (held_out == (sample.role == model::Role::kPrediction)) samples.push_back(s);
+  }
+  return samples;
+}
+
+}  // namespace
+
+std::vector<double> layerGains(const Replay& replay, const std::string& sensor) {
+  const model::SensorProfile& profile = replay.baseline().model.sensor(sensor);
+  const auto& channels = replay.channels();
+  const auto measured = [&](Channel c) { return std::find(channels.begin(), channels.end(), c) != channels.end(); };
+  if (profile.scan.layers.size() < 2 || (!measured(kIntensity) && !measured(kEpw))) return {};
+  const Channel channel = measured(kIntensity) ? kIntensity : kEpw;
+  const double pulse_m = core::kMetresPerNanosecond * profile.emitter.pulse_fwhm_ns;
+  std::vector<std::size_t> samples = samplesOf(replay, sensor, false);
+  if (samples.empty()) samples = samplesOf(replay, sensor, true);
+
+  std::vector<std::vector<double>> ratios(profile.scan.layers.size());
+  for (const std::size_t s : samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const auto simulated = replay.simulate(replay.baseline(), s, kFrames, replay.baseline().model.seed);
+    for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
+      const CellStatistics& m = sample.statistics[c];
+      if (m.count < 1.0 || simulated[c].count < 1.0) continue;
+      const double ratio = logRatio(m, simulated[c], channel, pulse_m);
+      const auto layer = static_cast<std::size_t>(sample.beams[sample.layout->cells()[c].beam].layer);
+      if (std::isfinite(ratio) && layer < ratios.size()) ratios[layer].push_back(ratio);
+    }
+  }
+  std::vector<double> gains(ratios.size(), 1.0);
+  for (std::size_t layer = 0; layer < ratios.size(); ++layer) {
+    auto& list = ratios[layer];
+    if (list.size() < kFewestCells) continue;
+    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+    std::nth_element(list.begin(), middle, list.end());
+    gains[layer] = std::exp(*middle);
+  }
+  return gains;
+}
+
+}  // namespace gap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "gap/candidates.h"
+
+namespace gap {
+
+/// Whether a candidate brings the simulation nearer to held-out data than chance would, and whether anything is left.
+/// Both worlds are simulated with the same random numbers, so what the candidate does not change cancels: small effects
+/// show that the sum over all cells would hide in its noise.
+struct Significance {
+  double improvement_z = 0.0;   ///< of the gain of discrepancy, against measurements drawn from the baseline
+  double rest_z = 0.0;          ///< of what is left, against measurements drawn from the candidate's own world
+  double better_samples = 0.0;  ///< share of the held-out samples that it brings nearer
+};
+
+[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate);
+
+/// How much nearer to held-out data one candidate is than a rival, in standard deviations of that difference if the
+/// first were right. Below two the data hardly tell them apart.
+[[nodiscard]] double separation(const Judge& judge, const Candidate& best, const Candidate& rival);
+
+}  // namespace gap
