@@ -217,11 +217,8 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const double floor = selfTotalOf(replay, replay.baseline(), split.held_out.samples, seed);
   const bool material = where.largest_steps >= kMaterialSteps || total > kMaterialTotal * floor;
   const bool clear = diagnosis.p_value < kSignificance && material;
-  const Decision decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
-                                   {replay, split, yardstick}, clear, where.rows, options.library, progress);
-  diagnosis.verdict.kind = decision.kind;
-  diagnosis.present = decision.kind != VerdictKind::kNone;
-  if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
+  Decision decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
+                             {replay, split, yardstick}, clear, where.rows, options.library, progress);
   progress.report(0.86, "measuring how far the gap shrinks");
   const World after =
       decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
@@ -230,8 +227,12 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   diagnosis.bias_intervals = far.bias_intervals;
   if (decision.winner && far.shrink.fraction <= 0.0) {  // it fits single cells, and the gap is none the smaller for it
     decision.winner.reset();
-    diagnosis.verdict.kind = VerdictKind::kUnknown;
+    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
   }
+  diagnosis.verdict.kind = decision.kind;
+  diagnosis.present = decision.kind != VerdictKind::kNone;
+  if (!diagnosis.present) decision.singles.clear();  // where nothing is to be explained, nothing has a cause
+  if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
   fillCauses(replay, split, decision, seed, diagnosis);
   if (decision.winner) fillWinner(quick, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);

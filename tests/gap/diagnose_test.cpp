@@ -55,6 +55,30 @@ TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
   EXPECT_NEAR(azimuth->high, -5.0, 1.01);
 }
 
+TEST(Diagnose, TellsForeignPulsesFromFalseAlarmsByTheirStrength) {
+  const SmallWorld world;
+  const auto baseline = SmallWorld::modelWith({});
+  const auto foreign = SmallWorld::modelWith({{"crosstalk", {{"rate_1_s", 20000}}}});  // two in a hundred shots
+  const gap::Diagnosis of_foreign = diagnosed(world.measuredBy(foreign, 0.4), baseline, {"crosstalk", "false-alarm"});
+  EXPECT_EQ(of_foreign.verdict.names, std::vector<std::string>{"crosstalk"});
+  EXPECT_NEAR(of_foreign.causes.front().parameters[0].value, 20000, 3000);
+
+  const auto alarms = SmallWorld::modelWith({{"false-alarm", {{"rate_per_beam", 0.02}}}});
+  const gap::Diagnosis of_alarms = diagnosed(world.measuredBy(alarms, 0.4), baseline, {"crosstalk", "false-alarm"});
+  EXPECT_EQ(of_alarms.verdict.names, std::vector<std::string>{"false-alarm"});
+  EXPECT_NEAR(of_alarms.causes.front().parameters[0].value, 0.02, 0.003);
+}
+
+TEST(Diagnose, FindsAnEffectThatARecalibratedEmitterHides) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 300}}}});
+  // 50 W in truth; the modeller took 38 W, with which the mean over all ranges agrees.
+  const gap::Diagnosis diagnosis =
+      diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 38}}));
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-attenuation"});
+}
+
 TEST(Diagnose, SaysParameterWhereTheEchoPulseWidthScattersMoreThanItsProfile) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.09}});

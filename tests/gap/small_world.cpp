@@ -105,6 +105,10 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
   return model::readExperiment(measured);
 }
 
+json SmallWorld::recorded(const std::map<std::string, double>& offset_m) const {
+  return experimentJson(reflectivity_, offset_m);
+}
+
 SmallWorld& SmallWorld::knownToWithin(double half_m) {
   known_to_within_m_ = half_m;
   return *this;

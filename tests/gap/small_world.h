@@ -24,6 +24,8 @@ class SmallWorld {
   /// (per sample, 0 if absent) and has `true_reflectivity`.
   [[nodiscard]] model::Experiment measuredBy(const model::LidarModel& truth, double true_reflectivity,
                                              const std::map<std::string, double>& offset_m = {}) const;
+  /// experiment.json of the world in which the wall stands `offset_m` farther than recorded.
+  [[nodiscard]] nlohmann::json recorded(const std::map<std::string, double>& offset_m = {}) const;
   /// The same, recorded with an epistemic interval of ± `half_m` for the wall's distance.
   SmallWorld& knownToWithin(double half_m);
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
