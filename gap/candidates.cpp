@@ -18,7 +18,9 @@ constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 8;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
-constexpr double kNearlyAsGood = 0.25;        // in merit: farther behind no refinement helps
+constexpr std::size_t kScoutedSamples = 4;
+constexpr double kAlmostAsGood = 0.1;   // in merit: no more than the noise of what is excused
+constexpr double kNearlyAsGood = 0.25;  // in merit: farther behind no refinement helps
 
 Split withRefined(Split split) {
   split.refined = split.fitted;
@@ -34,16 +36,42 @@ Candidate judged(const Judge& judge, const Hypothesis& hypothesis, const std::ve
   const Evidence& common = judge.split.fitted;
   const Evidence fitted = hypothesis.per_setup ? splitByBeams(judge.replay, common.seed).fitted : common;
   candidate.values = fit(judge.replay, hypothesis, fitted, starts, progress);
-  candidate.explained = judge.explainedBy(hypothesis, candidate.values);
+  judge.hear(candidate);
   return candidate;
+}
+
+/// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
+/// sector may have ended between two of the few).
+std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const std::vector<WhereRow>& where,
+                              const core::Progress& progress) {
+  const Evidence& evidence = judge.split.refined;
+  const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
+  };
+  std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
+  if (!candidate.hypothesis.members.empty()) return refined;
+  const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
+  std::vector<double> suggested;
+  double nearest = distance(candidate.values, few);
+  for (auto& start : startsFrom(judge.replay, candidate.hypothesis, where)) {
+    core::stopIfCancelled(progress);
+    const double at_start = distance(start, few);
+    if (at_start >= nearest) continue;
+    nearest = at_start;
+    suggested = std::move(start);
+  }
+  if (suggested.empty()) return refined;
+  suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
+  return distance(suggested, evidence) < distance(refined, evidence) ? suggested : refined;
 }
 
 }  // namespace
 
-double Judge::explainedBy(const Hypothesis& hypothesis, const std::vector<double>& values) const {
-  const World world = worldOf(replay, hypothesis, values);
-  return yardstick.explained(discrepancyOf(replay, world, split.held_out),
-                             discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
+void Judge::hear(Candidate& candidate) const {
+  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+  candidate.discrepancy = discrepancyOf(replay, world, split.held_out);
+  candidate.explained = yardstick.explained(
+      candidate.discrepancy, discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
 }
 
 void sortByMerit(std::vector<Candidate>& candidates) {
@@ -120,17 +148,27 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   return candidates;
 }
 
-void polish(const Judge& judge, std::vector<Candidate>& candidates, const core::Progress& progress) {
+void polish(const Judge& judge, std::vector<Candidate>& candidates, const std::vector<WhereRow>& where,
+            const core::Progress& progress) {
   std::vector<std::size_t> leaders;
   for (std::size_t i = 0; i < candidates.size() && leaders.size() < kPolished; ++i) {
     if (candidates[i].merit() >= candidates.front().merit() - kNearlyAsGood) leaders.push_back(i);
   }
   core::parallelFor(leaders.size(), 1, [&](std::size_t begin, std::size_t) {
     Candidate& candidate = candidates[leaders[begin]];
-    candidate.values = refine(judge.replay, candidate.hypothesis, judge.split.refined, candidate.values, progress);
-    candidate.explained = judge.explainedBy(candidate.hypothesis, candidate.values);
+    candidate.values = refinedOf(judge, candidate, where, progress);
+    judge.hear(candidate);
   });
   sortByMerit(candidates);
+  const auto behind = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+    return c.merit() < candidates.front().merit() - kAlmostAsGood;
+  });
+  const double price = kPricePerParameter * (judge.yardstick.baseline - judge.yardstick.perfect);
+  const auto costOf = [&](const Candidate& c) {
+    return c.discrepancy + price * static_cast<double>(c.hypothesis.parameters.size());
+  };
+  std::stable_sort(candidates.begin(), behind,
+                   [&](const Candidate& a, const Candidate& b) { return costOf(a) < costOf(b); });
 }
 
 }  // namespace gap

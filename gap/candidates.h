@@ -30,6 +30,7 @@ struct Candidate {
   /// (baseline - this) / (baseline - this if it were right), discrepancies on held-out data; above 1 by luck, or where
   /// little is to be explained.
   double explained = 0.0;
+  double discrepancy = 0.0;  ///< on held-out data
 
   /// What counts in comparisons: every free number must earn its place.
   [[nodiscard]] double merit() const;
@@ -56,16 +57,19 @@ struct Judge {
   Split split;
   Yardstick yardstick;
 
-  /// Share of what there is to explain on held-out data that a hypothesis explains with these values.
-  [[nodiscard]] double explainedBy(const Hypothesis& hypothesis, const std::vector<double>& values) const;
+  /// Says of a candidate, with the values that it has, what the held-out data say of it.
+  void hear(Candidate& candidate) const;
 };
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
                                           const std::vector<WhereRow>& where, core::Progress& progress);
 
-/// Fits the leaders again with more frames, and judges them again; best merit first.
-void polish(const Judge& judge, std::vector<Candidate>& candidates, const core::Progress& progress);
+/// Fits the leaders again with more frames and beams, from where they are and from what the residual map suggests, and
+/// judges them again; best merit first. Among those of almost the best merit the smallest discrepancy decides: a world
+/// is excused for its own noise, but not preferred for it.
+void polish(const Judge& judge, std::vector<Candidate>& candidates, const std::vector<WhereRow>& where,
+            const core::Progress& progress);
 
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);

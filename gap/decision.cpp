@@ -13,14 +13,16 @@ namespace gap {
 
 namespace {
 
-constexpr double kExplains = 0.70;      // share that a cause must explain on held-out data to be named
-constexpr double kWeakGap = 0.40;       // the least share, where the gap is hardly larger than the noise
-constexpr double kMaterialRest = 0.04;  // pairs are tried if the best cause leaves more of the total gap
-constexpr double kLittleRest = 0.10;    // a cause that leaves less may be right though it explains single cells badly
-constexpr double kPairGain = 0.5;       // a pair must halve what its best member leaves
-constexpr double kTotalGain = 0.35;     // of the total gap, which counts what no physics explains too, even more
-constexpr double kBelief = 0.05;        // difference of merits that costs a factor e of belief
-constexpr double kMostBelief = 0.9;     // other programs' physics differ from ours: docs/diagnosis.md
+constexpr double kExplains = 0.70;       // share that a cause must explain on held-out data to be named
+constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
+constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap
+constexpr double kLittleRest = 0.10;     // a cause that leaves less may be right though it explains single cells badly
+constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
+constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
+constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
+constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
+constexpr double kBelief = 0.05;         // difference of merits that costs a factor e of belief
+constexpr double kMostBelief = 0.9;      // other programs' physics differ from ours: docs/diagnosis.md
 constexpr double kProven =
     6.0;  // standard deviations: chance of 1e-9 each, for a library of sixty causes and heavy tails
 constexpr double kNoRest = 3.0;        // standard deviations: no more is left than under the cause's own noise
@@ -29,7 +31,7 @@ constexpr double kLeastShrink = 0.05;  // of the total gap: less is nobody's con
 constexpr double kApart = 1.5;         // standard deviations of the paired difference of two causes
 constexpr double kHopeless = 0.5;      // in merit: rivals farther behind are not looked at
 constexpr std::size_t kRivals = 5;
-constexpr double kTie = 0.03;  // merits this close cannot be told apart
+constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
@@ -95,6 +97,7 @@ bool nothingElse(const Significance& significance) {
 /// Causes that the data cannot tell from the best one.
 std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
+  const double alike = kTie * (judge.yardstick.baseline - judge.yardstick.perfect);
   std::vector<std::string> ties;
   std::size_t looked_at = 0;
   for (std::size_t i = 1; i < candidates.size() && looked_at < kRivals; ++i) {
@@ -103,7 +106,7 @@ std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>
     if (name == best.hypothesis.name || std::find(ties.begin(), ties.end(), name) != ties.end()) continue;
     if (rival.merit() < best.merit() - kHopeless) break;
     ++looked_at;
-    if (rival.merit() > best.merit() - kTie || separation(judge, best, rival) < kApart) ties.push_back(name);
+    if (rival.discrepancy < best.discrepancy + alike || separation(judge, best, rival) < kApart) ties.push_back(name);
   }
   return ties;
 }
@@ -124,7 +127,8 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string& name = candidates[i].hypothesis.name;
     if (best_of_name.count(name)) continue;  // variants of one cause share its belief
-    confidences[i] = best_of_name[name] = std::exp((candidates[i].merit() - best) / std::max(kBelief, decision.noise));
+    confidences[i] = best_of_name[name] =
+        std::exp(std::min(0.0, candidates[i].merit() - best) / std::max(kBelief, decision.noise));
     sum += confidences[i];
   }
   const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
@@ -148,7 +152,7 @@ Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::v
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(quick, hypothesesFor(quick.replay, library), where, first);
-  polish(exact, decision.singles, progress);
+  polish(exact, decision.singles, where, progress);
   if (decision.singles.empty()) return decision;
   const Candidate& best = decision.singles.front();
   const Yardstick& yardstick = exact.yardstick;
@@ -175,11 +179,12 @@ Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::v
   if (!clear) return decision;
   if (rest.total < kMaterialRest) return decision;
   std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
-  polish(exact, pairs, progress);
+  polish(exact, pairs, where, progress);
   if (pairs.empty() || pairs.front().explained < enough) return decision;
   const Candidate& pair = pairs.front();
   const Rest rest_of_pair = totals.restOf(pair);
-  if (!earnsItsSecond(rest, rest_of_pair, noise)) return decision;
+  if (!earnsItsSecond(rest, rest_of_pair, noise) || rest_of_pair.total > kMostRestOfPair) return decision;
+  if (separation(exact, pair, best) < kSecondProven) return decision;
   decision.winner = pair;
   decision.ties.clear();
   decision.left_of_total = rest_of_pair.total;

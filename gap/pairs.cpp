@@ -207,7 +207,7 @@ class PairSearch {
       fitted[g].second = guess.second;
       candidate.hypothesis = together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
       candidate.values = fitFrom(judge_.replay, candidate.hypothesis, judge_.split.fitted, guess.values, progress_);
-      candidate.explained = judge_.explainedBy(candidate.hypothesis, candidate.values);
+      judge_.hear(candidate);
       progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
                        "tried " + candidate.hypothesis.name);
     });

@@ -29,6 +29,36 @@ double smallestRangeStep_m(const Replay& replay) {
   return step;
 }
 
+/// Where the echoes are that no surface makes, if they lie together: medians, and the width of an even distribution
+/// with their median deviation.
+struct ExtraEchoes {
+  double azimuth_deg, width_deg, range_m;
+};
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
+  constexpr std::size_t kFewest = 5;
+  std::vector<double> azimuths_deg, ranges_m;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
+      const CellStatistics& s = sample.statistics[c];
+      if (s.count == 0.0 || sample.layout->cells()[c].at_edge) continue;
+      azimuths_deg.push_back(sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad);
+      ranges_m.push_back(s.mean(kRange));
+    }
+  }
+  if (azimuths_deg.size() < kFewest) return std::nullopt;
+  const double middle_deg = medianOf(azimuths_deg);
+  std::vector<double> deviations_deg;
+  for (const double azimuth_deg : azimuths_deg) deviations_deg.push_back(std::abs(azimuth_deg - middle_deg));
+  return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
+}
+
 struct Stratum {
   double low, high;
 };
@@ -115,6 +145,11 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     }
     if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
   }
+  if (starts.has("azimuth_deg") && starts.has("range_m")) {
+    if (const auto extra = extraEchoes(replay)) {
+      starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
+    }
+  }
   if (starts.has("from_m") && starts.has("to_m")) {
     constexpr double kFar_m = 1e9, kBit_m = 0.01;
     for (const Stratum& r : ranges) {
@@ -131,6 +166,12 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
                     {"centre_y_m", r * std::sin(azimuth_rad)},
                     {"size_m", r * width_rad}});
       }
+    }
+    if (const auto extra = extraEchoes(replay)) {
+      const double azimuth_rad = extra->azimuth_deg * core::kRadPerDeg;
+      starts.add({{"centre_x_m", extra->range_m * std::cos(azimuth_rad)},
+                  {"centre_y_m", extra->range_m * std::sin(azimuth_rad)},
+                  {"size_m", extra->range_m * extra->width_deg * core::kRadPerDeg}});
     }
     starts.vary({"centre_x_m", "centre_y_m", "size_m"});
   }

@@ -19,7 +19,8 @@ constexpr std::size_t kQuantileGroups = 16;
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
 constexpr int kWhereFrames = 24;
 constexpr double kSignificant = 1e-3;
-constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent
+constexpr double kMayBeNoise = 2.0;       // standard errors
+constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent of the simulated echoes
 
 using Row = ResidualTable::Row;
 
@@ -222,6 +223,7 @@ double ResidualTable::commonShift() const {
     weight += row.weight;
     variance += row.weight * row.weight * row.error * row.error;
   }
+  if ((component == "missing" && sum > 0.0) || (component == "extra" && sum < 0.0)) return 0.0;
   return weight > 0.0 && std::abs(sum) > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
 }
 
@@ -258,20 +260,26 @@ std::vector<ResidualTable> residualTables(const Replay& replay,
   }
   ResidualTable missing{"existence", "missing", "1/shot", kExistenceScale, {}};
   ResidualTable extra{"existence", "extra", "1/shot", kExistenceScale, {}};
+  double echoes = 0.0;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     if (sample.layout->pooled()) continue;
     for (std::size_t c = 0; c < sample.layout->cells().size(); ++c) {
       const double measured = sample.statistics[c].count / sample.frames;
       const double expected = simulated[s][c].count / simulated_frames[s];
-      if (measured == 0.0 && expected == 0.0) continue;
       const double rate = std::clamp(0.5 * (measured + expected), 0.01, 0.99);
       const double error = std::sqrt(rate * (1.0 - rate) * (1.0 / sample.frames + 1.0 / simulated_frames[s]) + 1e-4);
       const double value = measured - expected;
-      missing.rows.push_back({s, c, std::min(0.0, value), error, static_cast<double>(sample.frames)});
-      extra.rows.push_back({s, c, std::max(0.0, value), error, static_cast<double>(sample.frames)});
+      echoes += expected * sample.frames;
+      // What may be noise stays in both with its sign, so that it averages out: a half of it would look like a loss.
+      const bool noise = std::abs(value) < kMayBeNoise * error;
+      missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, static_cast<double>(sample.frames)});
+      extra.rows.push_back({s, c, noise ? value : std::max(0.0, value), error, static_cast<double>(sample.frames)});
     }
   }
+  double shots = 0.0;
+  for (const Row& row : missing.rows) shots += row.weight;
+  if (shots > 0.0 && echoes > 0.0) missing.scale = extra.scale = kExistenceScale * echoes / shots;
   if (!missing.rows.empty()) tables.push_back(std::move(missing));
   if (!extra.rows.empty()) tables.push_back(std::move(extra));
   return tables;
@@ -316,7 +324,10 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
   // The measurand with the largest gap first; within it the stratum that concentrates it most.
   std::map<std::pair<std::string, std::string>, double> largest;
   for (const ResidualTable& table : tables) {
-    largest[{table.measurand, table.component}] = std::max(table.excess(), table.commonShift());
+    const bool significant = std::any_of(result.begin(), result.end(), [&](const WhereRow& row) {
+      return row.measurand == table.measurand && row.component == table.component && row.p_value <= kSignificant;
+    });
+    largest[{table.measurand, table.component}] = significant ? std::max(table.excess(), table.commonShift()) : 0.0;
   }
   std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
     const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];

@@ -36,7 +36,8 @@ struct ResidualTable {
   std::string measurand;
   std::string component;
   std::string unit;
-  double scale = 1.0;  ///< one step of the total gap in this unit: the resolution; 0.01 for existence
+  double scale =
+      1.0;  ///< one step of the total gap in this unit: the resolution; for existence a hundredth of the echoes
   std::vector<Row> rows;
 
   /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.

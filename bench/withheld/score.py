@@ -43,6 +43,13 @@ def overlap(a, b):
     return len(set(a) & set(b)) / len(set(a) | set(b))
 
 
+# These change where echoes are rather than what they carry: "missing" or "extra" names them as well as the pooled ranges, which a
+# few echoes from far away move most.
+OF_EXISTENCE = {"crosstalk", "false-alarm", "detection-loss", "precipitation-clutter", "atmospheric-backscatter", "road-spray",
+                "exhaust-cloud", "stray-radiation", "spoofing", "range-gating", "transmission", "multipath", "blooming",
+                "echo-merging", "dead-time"}
+
+
 def judge_where(truth, report):
     """(right measurand, right stratum) of the first row; None where the truth does not say."""
     rows = report.get("where", [])
@@ -50,7 +57,8 @@ def judge_where(truth, report):
         return None, None
     if not rows:
         return False, (False if truth["where"] else None)
-    measurand = rows[0]["measurand"] in truth["measurands"]
+    existence = {"existence"} if OF_EXISTENCE & set(truth["names"]) else set()
+    measurand = rows[0]["measurand"] in {*truth["measurands"], *existence}
     if not truth["where"]:
         return measurand, None
     first = next((r for r in rows if r["covariate"] == truth["where"]["covariate"]), None)
