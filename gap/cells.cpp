@@ -183,7 +183,7 @@ void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
   }
 }
 
-std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
+std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) const {
   // Detections by cell, in one array: those of cell c are order[first[c] … first[c + 1]).
   std::vector<std::size_t> cell_of(values.size()), first(cells_.size() + 1, 0), order(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -192,29 +192,43 @@ std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& v
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < values.size(); ++i) order[next[cell_of[i]]++] = i;
 
-  std::vector<CellStatistics> statistics(cells_.size());
   std::vector<double> ranges;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
+  for (std::size_t c = 0; c < surfaces_ && !pooled_; ++c) {
+    if (first[c + 1] - first[c] < kFewForAMedian) continue;
     ranges.clear();
     for (std::size_t k = first[c]; k < first[c + 1]; ++k) ranges.push_back(values[order[k]].of[kRange]);
-    const bool checked = c < surfaces_ && !pooled_ && ranges.size() >= kFewForAMedian;
-    const double median = checked ? medianOf(ranges) : 0.0;
+    const double median = medianOf(ranges);
     for (double& range : ranges) range = std::abs(range - median);
-    const double tolerance = checked ? std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges)) : 0.0;
+    const double tolerance = std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges));
     for (std::size_t k = first[c]; k < first[c + 1]; ++k) {
       const Value& value = values[order[k]];
-      const bool outlier = checked && std::abs(value.of[kRange] - median) > tolerance;
-      add(statistics, outlier ? surfaces_ + value.beam : c, value.of);
+      if (std::abs(value.of[kRange] - median) > tolerance) cell_of[order[k]] = surfaces_ + value.beam;
     }
   }
+  return cell_of;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
+  const std::vector<std::size_t> cell_of = cellsOf(values);
+  std::vector<CellStatistics> statistics(cells_.size());
+  for (std::size_t i = 0; i < values.size(); ++i) add(statistics, cell_of[i], values[i].of);
   return statistics;
 }
 
-std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+std::vector<CellLayout::Value> CellLayout::valuesOf(const std::vector<model::Shot>& shots) const {
   std::vector<Value> values;
   values.reserve(shots.size());
-  for (const model::Shot& shot : shots) values.push_back({shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
-  return statisticsOf(values);
+  for (const model::Shot& shot : shots)
+    values.push_back({pooled_ ? 0 : shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
+  return values;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+  return statisticsOf(valuesOf(shots));
+}
+
+std::vector<std::size_t> CellLayout::cellsOf(const std::vector<model::Shot>& shots) const {
+  return cellsOf(valuesOf(shots));
 }
 
 std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,

@@ -58,6 +58,8 @@ class CellLayout {
   [[nodiscard]] std::vector<Seen> seenIn(const model::BeamHits& hits) const;
 
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<model::Shot>& shots) const;
+  /// The cell of each shot; outliers belong to the extra cell of their beam.
+  [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<model::Shot>& shots) const;
   /// `beam_of[i]` is the beam of detection i.
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const core::Detections& detections,
                                                          const std::vector<std::uint32_t>& beam_of) const;
@@ -68,6 +70,8 @@ class CellLayout {
     std::array<double, kChannels> of;
   };
   [[nodiscard]] std::size_t cellOf(std::uint32_t beam, double range_m) const;
+  [[nodiscard]] std::vector<Value> valuesOf(const std::vector<model::Shot>& shots) const;
+  [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<Value>& values) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell,
            const std::array<double, kChannels>& values) const;

@@ -2,6 +2,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "gap/candidates.h"
 #include "gap/decision.h"
@@ -21,10 +22,11 @@ constexpr double kSignificance = 1e-3;    // of the gap being present at all
 constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
 constexpr double kMaterialTotal = 1.5;    // times the total gap of a right model
 constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
-constexpr double kPairBelief = 0.7;       // of a pair that explains everything
-constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
-constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
-constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
+constexpr std::size_t kAllBeams = std::numeric_limits<std::size_t>::max();
+constexpr double kPairBelief = 0.7;      // of a pair that explains everything
+constexpr double kNoneBelief = 0.85;     // that nothing is missing, where nothing is seen
+constexpr double kMuchClearer = 3.0;     // so much more must one part of the samples show than the other
+constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -120,6 +122,7 @@ void fillWinner(const Replay& quick, const Split& split, const Decision& decisio
       parameter.interval = intervals[used++];
     }
   }
+  if (diagnosis.approximation) return;  // the model under test has no effects that a file could name
   // Materials and references stand in the experiment; what belongs to the model is proposed even beside them.
   if (after.model.json != quick.baseline().model.json) {
     diagnosis.proposed_model = after.model.json;
@@ -164,6 +167,15 @@ void heedLimits(Diagnosis& diagnosis) {
   for (Cause& cause : diagnosis.causes) cause.confidence = std::min(cause.confidence, most);
 }
 
+/// A cause that was found by way of a proxy is as good as the proxy.
+void heedApproximation(Diagnosis& diagnosis) {
+  if (!diagnosis.approximation || diagnosis.verdict.kind == VerdictKind::kNone)
+    return;  // no proxy takes part in `none`
+  const double trust = diagnosis.approximation->trust();
+  for (Cause& cause : diagnosis.causes) cause.confidence *= trust;
+  if (!diagnosis.verdict.names.empty()) diagnosis.verdict.confidence *= trust;
+}
+
 }  // namespace
 
 std::string toString(VerdictKind kind) {
@@ -184,13 +196,14 @@ std::string toString(VerdictKind kind) {
 
 Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel& given, const DiagnoseOptions& options,
                    core::Progress& progress) {
-  model::requireBuiltIn(given, "the diagnosis");
   const auto start = std::chrono::steady_clock::now();
-  const model::LidarModel model = withInlineSensor(given);
-  const std::uint64_t seed = options.seed.value_or(model.seed);
+  const std::uint64_t seed = options.seed.value_or(given.seed);
+  model::LidarModel model = withInlineSensor(given.external ? proxyOf(experiment, given, options.proxy) : given);
+  model.seed = seed;  // under it a foreign model is what it reported
+  const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
   progress.report(0.0, "tracing the samples");
-  const Replay replay(experiment, model);
-  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams);
+  const Replay replay(experiment, model, kAllBeams, foreign);
+  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   const Replay& quick = few_beams ? *few_beams : replay;
   progress.report(0.05, "comparing with the baseline");
@@ -207,7 +220,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
 
   Diagnosis diagnosis;
   diagnosis.experiment = experiment.id;
-  diagnosis.model = model.id;
+  diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();
   diagnosis.where = where.rows;
   diagnosis.weak_hold_out = split.weak;
@@ -231,6 +244,9 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   }
   diagnosis.verdict.kind = decision.kind;
   diagnosis.present = decision.kind != VerdictKind::kNone;
+  if (given.external) {
+    diagnosis.approximation = approximationOf(replay, split.held_out.samples, seed, diagnosis.present);
+  }
   if (!diagnosis.present) decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
   fillCauses(replay, split, decision, seed, diagnosis);
@@ -255,6 +271,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   }
   verdict.limits = limitsOf(replay, split);
   diagnosis.notes = notesOn(replay);
+  heedApproximation(diagnosis);
   heedLimits(diagnosis);
   verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -7,6 +7,7 @@
 
 #include "core/progress.h"
 #include "gap/hypotheses.h"
+#include "gap/proxy.h"
 #include "gap/total_gap.h"
 #include "gap/where.h"
 
@@ -104,8 +105,9 @@ struct Diagnosis {
   std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
   std::vector<std::string> held_out;
-  bool weak_hold_out = false;      ///< no sample could be held out whole
-  std::vector<std::string> notes;  ///< what a person should know of the data, sentences
+  bool weak_hold_out = false;                  ///< no sample could be held out whole
+  std::vector<std::string> notes;              ///< what a person should know of the data, sentences
+  std::optional<Approximation> approximation;  ///< if the model under test is not the built-in lidar
   std::optional<NextExperiment> next_experiment;
   std::vector<ResidualMap> maps;          ///< the sample with the largest deviation, a map a measurand
   std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples
@@ -116,6 +118,7 @@ struct Diagnosis {
 struct DiagnoseOptions {
   std::vector<std::string> library;  ///< effects to consider; empty: all
   std::optional<std::uint64_t> seed;
+  std::optional<model::LidarModel> proxy;  ///< stands for a model that is not the built-in lidar (proxy.h)
 };
 
 /// Diagnoses the gap between the measurements of an experiment package and their re-simulation (docs/diagnosis.md).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "core/physics.h"
 #include "gap/evidence_limits.h"
 #include "gap/joined_hits.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr int kFewestRays = 9;                 // per direction, whatever the model has
 constexpr int kEdgeRays = 45;                  // denser, sheared grid of partly hit beams: right to 1/45² of the power
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
+constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 
 /// Leaves out beams in pairs of neighbouring columns until about `most` are left, with their measured detections.
 void thin(ReplaySample& sample, std::size_t most) {
@@ -51,6 +53,29 @@ void keep(const std::vector<std::uint32_t>& taken, std::vector<model::Shot>& sho
   for (model::Shot& shot : shots) shot.beam = static_cast<std::uint32_t>(placeOf(shot.beam) - taken.begin());
 }
 
+/// What a foreign model reported, as shots of these beams. Throws InputError if directions are missing.
+ForeignFrames foreignFrames(const model::ExternalRun& run, const ReplaySample& sample, const model::LidarModel& model) {
+  const core::Place place{.file = model.file, .item = "sample '" + sample.sample->id + "'"};
+  if (!run.detections.hasDirections() && sample.measured.hasDirections()) {
+    throw core::InputError(place, "was simulated without directions; the measurement has them.",
+                           "Let the model write layer, azimuth_rad and elevation_rad.");
+  }
+  const auto beam_of = beamsOfDetections(run.detections, sample.beams, model.file);
+  const core::Detections& d = run.detections;
+  ForeignFrames frames{.shots = {}, .frames = run.frames};
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    frames.shots.push_back({.beam = beam_of[i],
+                            .frame = d.frame[i],
+                            .echo = d.echo.empty() ? 1 : d.echo[i],
+                            .range_m = d.range_m[i],
+                            .epw_m = d.epw_m.empty() ? 0.0 : d.epw_m[i],
+                            .intensity_nw = d.intensity.empty() ? 0.0 : d.intensity[i]});
+  }
+  std::stable_sort(frames.shots.begin(), frames.shots.end(),
+                   [](const model::Shot& a, const model::Shot& b) { return a.frame < b.frame; });
+  return frames;
+}
+
 bool couplesBeams(const World& world, const std::string& sensor) {
   return std::any_of(world.model.effects.begin(), world.model.effects.end(), [&](const model::ActiveEffect& effect) {
     return effect.actsOn(sensor) && model::findEffect(effect.name)->make(effect.parameters)->couplesBeams();
@@ -78,8 +103,9 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 }  // namespace
 
-Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, std::size_t most_beams)
-    : experiment_(experiment) {
+Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, std::size_t most_beams,
+               std::span<const model::ExternalRun> foreign)
+    : experiment_(experiment), foreign_(!foreign.empty()) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
@@ -92,10 +118,16 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
     replay.frames = experiment.samples[i].frames;
     requireFrames(replay);
+    if (foreign_) replay.foreign = foreignFrames(foreign[i], replay, baseline);
     if (replay.measured.hasDirections()) thin(replay, most_beams);
+    if (foreign_ && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
       everywhere[kIntensity] = everywhere[kIntensity] && !replay.measured.intensity.empty();
+    }
+    if (foreign_ && foreign[i].detections.size() > 0) {
+      everywhere[kEpw] = everywhere[kEpw] && !foreign[i].detections.epw_m.empty();
+      everywhere[kIntensity] = everywhere[kIntensity] && !foreign[i].detections.intensity.empty();
     }
     samples_.push_back(std::move(replay));
   }
@@ -189,6 +221,29 @@ bool Replay::thinned() const {
 }
 
 std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
+  if (!foreign_) return fireBuiltIn(world, s, frames, seed);
+  // The recorded frames as they are under the model's own seed: everything is compared with these.
+  const std::uint64_t drawn = seed == this->seed() ? 0 : std::max<std::uint64_t>(1, seed);
+  const ReplaySample& sample = samples_[s];
+  return transported(framesFrom(sample.foreign, frames, drawn), *proxyShots(s, frames, seed),
+                     fireBuiltIn(world, s, frames, seed), *sample.layout, seed);
+}
+
+Replay::Shots Replay::proxyShots(std::size_t s, int frames, std::uint64_t seed) const {
+  const std::string key = std::to_string(s) + ":" + std::to_string(frames) + ":" + std::to_string(seed);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = fired_.find(key);
+    if (found != fired_.end()) return found->second;
+  }
+  auto shots = std::make_shared<const std::vector<model::Shot>>(fireBuiltIn(baseline_, s, frames, seed));
+  const std::lock_guard lock(mutex_);
+  if (remembered_shots_ + shots->size() <= kMostShots && fired_.emplace(key, shots).second)
+    remembered_shots_ += shots->size();
+  return shots;
+}
+
+std::vector<model::Shot> Replay::fireBuiltIn(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
   const Geometry geometry = geometryOf(world, s);
   const model::Sample& sample = *samples_[s].sample;
   model::Scene scene = geometry->situation.scene;
@@ -230,9 +285,23 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
 }
 
 core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {
+  return reported(fire(world, s, samples_[s].frames, seed), world, s);
+}
+
+core::Detections Replay::builtInDetections(const World& world, std::size_t s, std::uint64_t seed) const {
+  return reported(fireBuiltIn(world, s, samples_[s].frames, seed), world, s);
+}
+
+core::Detections Replay::reported(const std::vector<model::Shot>& shots, const World& world, std::size_t s) const {
   const ReplaySample& sample = samples_[s];
-  return model::toDetections(fire(world, s, sample.frames, seed), sample.beams,
-                             world.model.sensor(sample.sample->sensor));
+  core::Detections detections = model::toDetections(shots, sample.beams, world.model.sensor(sample.sample->sensor));
+  // A column that was not compared is none: a foreign model may lack one that the profile has.
+  const auto compared = [&](Channel channel) {
+    return std::find(channels_.begin(), channels_.end(), channel) != channels_.end();
+  };
+  if (foreign_ && !compared(kEpw)) detections.epw_m.clear();
+  if (foreign_ && !compared(kIntensity)) detections.intensity.clear();
+  return detections;
 }
 
 std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {

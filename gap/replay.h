@@ -4,13 +4,16 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
 #include "gap/cells.h"
+#include "gap/transport.h"
 #include "gap/world.h"
+#include "model/external/external_runs.h"
 #include "model/simulate.h"
 
 namespace gap {
@@ -39,16 +42,22 @@ struct ReplaySample {
   std::vector<std::uint32_t> taken;     ///< which beams of the scan these are; empty: all of them
   std::vector<model::Beam> whole_scan;  ///< if only some are taken
   int frames = 1;
+  ForeignFrames foreign;  ///< what the model under test reported, if it is not the built-in lidar
 };
 
 /// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
 /// beams are traced more densely than the model's own grid, so that they do not differ by the grid alone, and hits on
 /// one object are joined. Thread-safe. References, model and experiment must outlive it.
+///
+/// A model that is not the built-in lidar is known by what it reported (`foreign`, one run a sample). `baseline` is
+/// then its proxy: the baseline world reports what the foreign model did, and every other world that with the
+/// difference that it makes in the proxy (transport.h).
 class Replay {
  public:
   /// Of every sample at most about `most_beams` beams take part, in pairs of neighbouring columns all over the scan.
   Replay(const model::Experiment& experiment, const model::LidarModel& baseline,
-         std::size_t most_beams = std::numeric_limits<std::size_t>::max());
+         std::size_t most_beams = std::numeric_limits<std::size_t>::max(),
+         std::span<const model::ExternalRun> foreign = {});
 
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
   [[nodiscard]] const World& baseline() const noexcept { return baseline_; }
@@ -65,6 +74,10 @@ class Replay {
                                                      std::uint64_t seed) const;
   /// All frames of a sample as the sensor would report them.
   [[nodiscard]] core::Detections detections(const World& world, std::size_t sample, std::uint64_t seed) const;
+  /// The same of the built-in lidar, whatever the model under test is.
+  [[nodiscard]] core::Detections builtInDetections(const World& world, std::size_t sample, std::uint64_t seed) const;
+  /// The seed under which the baseline world is what a foreign model reported, frame by frame; others give other noise.
+  [[nodiscard]] std::uint64_t seed() const noexcept { return baseline_.model.seed; }
 
  private:
   using Geometry = std::shared_ptr<const model::TracedSample>;
@@ -75,6 +88,12 @@ class Replay {
   void addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const;
   [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
                                               std::uint64_t seed) const;
+  [[nodiscard]] std::vector<model::Shot> fireBuiltIn(const World& world, std::size_t sample, int frames,
+                                                     std::uint64_t seed) const;
+  [[nodiscard]] core::Detections reported(const std::vector<model::Shot>& shots, const World& world,
+                                          std::size_t sample) const;
+  using Shots = std::shared_ptr<const std::vector<model::Shot>>;
+  [[nodiscard]] Shots proxyShots(std::size_t sample, int frames, std::uint64_t seed) const;
 
   const model::Experiment& experiment_;
   World baseline_;
@@ -85,6 +104,9 @@ class Replay {
   mutable std::unordered_map<std::string, Geometry> traced_;
   mutable std::size_t remembered_bytes_ = 0;
   mutable std::map<std::tuple<std::size_t, int, std::uint64_t>, std::vector<CellStatistics>> untouched_;
+  bool foreign_ = false;
+  mutable std::unordered_map<std::string, Shots> fired_;  ///< of the proxy's baseline
+  mutable std::size_t remembered_shots_ = 0;
 };
 
 /// The set-ups of some samples, each once, in the order of the samples.

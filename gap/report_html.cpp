@@ -35,6 +35,8 @@ Tone toneOf(VerdictKind kind) {
 void addVerdict(report::Page& page, const Diagnosis& diagnosis) {
   page.section("Verdict", "verdict", report::badge(toString(diagnosis.verdict.kind), toneOf(diagnosis.verdict.kind)));
   page.paragraph(report::strong(diagnosis.verdict.text));
+  if (diagnosis.approximation) page.paragraph(diagnosis.approximation->text);
+  for (const std::string& note : diagnosis.notes) page.paragraph(note);
   std::vector<report::KeyValue> rows = {
       {"experiment", report::text(diagnosis.experiment)},
       {"model", report::text(diagnosis.model)},

@@ -63,6 +63,11 @@ Json toJson(const Cause& cause) {
   return json;
 }
 
+Json toJson(const Approximation& a) {
+  return {{"text", a.text}, {"proxy", a.proxy}, {"proxy_gap", a.proxy_gap}, {"noise", a.noise},
+          {"gap", a.gap},   {"ratio", a.ratio}, {"reliable", a.reliable()}};
+}
+
 Json shrinkJson(const Diagnosis& diagnosis) {
   Json measurands = Json::array();
   for (const MeasurandGap& before : diagnosis.before.measurands) {
@@ -113,6 +118,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                                  {"separates", diagnosis.next_experiment->separates},
                                  {"parameters", diagnosis.next_experiment->parameters}};
   }
+  if (diagnosis.approximation) report["approximation"] = toJson(*diagnosis.approximation);
   report["notes"] = diagnosis.notes;
   report["elapsed_s"] = diagnosis.elapsed_s;
   return report;

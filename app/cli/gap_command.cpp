@@ -21,6 +21,7 @@ namespace {
 struct Options {
   std::string experiment;
   std::string model;
+  std::string proxy;
   std::string library = "all";
   std::string json;
   std::string html;
@@ -48,6 +49,17 @@ std::vector<std::string> libraryOf(const std::string& text) {
   return names;
 }
 
+std::optional<model::LidarModel> proxyFor(const Options& options, const model::LidarModel& lidar) {
+  if (options.proxy.empty()) return std::nullopt;
+  if (!lidar.external) {
+    throw core::InputError(
+        {.item = "--proxy"},
+        "stands for models that are commands or recordings; " + lidar.file.string() + " is the built-in lidar itself.",
+        "Leave it out.");
+  }
+  return model::readModel(options.proxy);
+}
+
 void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
   constexpr std::size_t kRows = 3;
   out << diagnosis.verdict.text << "\n";
@@ -69,6 +81,7 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
     }
     out << "\n";
   }
+  if (diagnosis.approximation) out << "  note: " << diagnosis.approximation->text << "\n";
   for (const std::string& note : diagnosis.notes) out << "  note: " << note << "\n";
   if (diagnosis.next_experiment) out << "  next: " << diagnosis.next_experiment->text << "\n";
 }
@@ -82,6 +95,7 @@ void addGapCommand(CLI::App& program, Session& session) {
   command->add_option("EXPERIMENT", options->experiment, "Experiment package: a folder or its experiment.json")
       ->required();
   command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
+  command->add_option("--proxy", options->proxy, "Built-in model that stands for one that is a command or a recording");
   command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
   command->add_option("--json", options->json, "Write the report here; - for standard output");
   command->add_option("--html", options->html, "Write the report as a self-contained page");
@@ -96,13 +110,17 @@ void addGapCommand(CLI::App& program, Session& session) {
     std::optional<percollect::Graph> graph;
     if (!options->graph.empty()) graph = percollect::readGraph(options->graph).graph;
     gap::Diagnosis diagnosis =
-        gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed}, session.progress);
+        gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed, .proxy = proxyFor(*options, lidar)},
+                      session.progress);
     if (graph) gap::addChains(diagnosis, *graph);
     if (!options->html.empty()) core::writeFile(options->html, gap::reportHtml(diagnosis));
     if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
     if (options->json != "-") print(diagnosis, session.out);
     if (options->write_model.empty()) return;
-    if (diagnosis.proposed_model.is_null()) {
+    if (diagnosis.approximation) {
+      session.messages << "fidelis: no model file was written: the model under test is not the built-in lidar, so its "
+                          "file names no effects. Build the cause into your model.\n";
+    } else if (diagnosis.proposed_model.is_null()) {
       session.messages << "fidelis: no model file was written: the verdict names nothing that a model file can hold.\n";
     } else {
       core::writeJson(options->write_model, diagnosis.proposed_model);

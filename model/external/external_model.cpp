@@ -27,6 +27,13 @@ std::vector<std::string> readCommand(core::JsonObject& object) {
 
 ExternalModel read(core::JsonObject& object) {
   ExternalModel model;
+  if (object.has("proxy")) {  // for whoever needs a built-in model in its place, out of the file: gap/proxy.h
+    const nlohmann::json& proxy = object.raw("proxy");
+    if (!proxy.is_string() && !proxy.is_object()) {
+      object.fail("proxy", "is neither the name of a model file nor an object.",
+                  "Name a model file of the built-in lidar, or write its effects here: {\"effects\": {…}}.");
+    }
+  }
   if (object.has("recorded")) {
     if (object.has("command")) object.fail("recorded", "stands beside /command.", "Keep one of the two.");
     model.recorded = object.file().parent_path() / object.text("recorded");
@@ -44,7 +51,7 @@ std::optional<ExternalModel> readExternalModel(core::JsonObject& object) {
   for (const char* key : {"sensor", "sensors", "rays_per_beam", "effects"}) {
     if (object.has(key)) {
       object.fail(key, "belongs to the built-in lidar; this model is a command or a recording.",
-                  "Remove it: the experiment names the sensor.");
+                  "Remove it: the experiment names the sensor. A built-in model that comes near goes under /proxy.");
     }
   }
   if (!object.has("model")) return read(object);
