@@ -45,7 +45,7 @@ class PairSearch {
  public:
   PairSearch(const Judge& judge, const std::vector<Candidate>& singles, core::Progress& progress)
       : judge_(judge),
-        scout_(judge.replay.experiment(), judge.replay.baseline().model, kScoutBeams),
+        scout_(judge.replay.thinner(kScoutBeams)),
         scouted_(spreadOver(judge.split.fitted, kScoutSamples, kScoutFrames)),
         singles_(singles),
         progress_(progress) {}

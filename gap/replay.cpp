@@ -105,7 +105,7 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, std::size_t most_beams,
                std::span<const model::ExternalRun> foreign)
-    : experiment_(experiment), foreign_(!foreign.empty()) {
+    : experiment_(experiment), foreign_(foreign) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
@@ -118,14 +118,14 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
     replay.frames = experiment.samples[i].frames;
     requireFrames(replay);
-    if (foreign_) replay.foreign = foreignFrames(foreign[i], replay, baseline);
+    if (!foreign_.empty()) replay.foreign = foreignFrames(foreign[i], replay, baseline);
     if (replay.measured.hasDirections()) thin(replay, most_beams);
-    if (foreign_ && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
+    if (!foreign_.empty() && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
       everywhere[kIntensity] = everywhere[kIntensity] && !replay.measured.intensity.empty();
     }
-    if (foreign_ && foreign[i].detections.size() > 0) {
+    if (!foreign_.empty() && foreign[i].detections.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !foreign[i].detections.epw_m.empty();
       everywhere[kIntensity] = everywhere[kIntensity] && !foreign[i].detections.intensity.empty();
     }
@@ -221,7 +221,7 @@ bool Replay::thinned() const {
 }
 
 std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
-  if (!foreign_) return fireBuiltIn(world, s, frames, seed);
+  if (foreign_.empty()) return fireBuiltIn(world, s, frames, seed);
   // The recorded frames as they are under the model's own seed: everything is compared with these.
   const std::uint64_t drawn = seed == this->seed() ? 0 : std::max<std::uint64_t>(1, seed);
   const ReplaySample& sample = samples_[s];
@@ -299,8 +299,8 @@ core::Detections Replay::reported(const std::vector<model::Shot>& shots, const W
   const auto compared = [&](Channel channel) {
     return std::find(channels_.begin(), channels_.end(), channel) != channels_.end();
   };
-  if (foreign_ && !compared(kEpw)) detections.epw_m.clear();
-  if (foreign_ && !compared(kIntensity)) detections.intensity.clear();
+  if (!foreign_.empty() && !compared(kEpw)) detections.epw_m.clear();
+  if (!foreign_.empty() && !compared(kIntensity)) detections.intensity.clear();
   return detections;
 }
 

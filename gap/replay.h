@@ -59,6 +59,11 @@ class Replay {
          std::size_t most_beams = std::numeric_limits<std::size_t>::max(),
          std::span<const model::ExternalRun> foreign = {});
 
+  /// The same replay with fewer beams.
+  [[nodiscard]] Replay thinner(std::size_t most_beams) const {
+    return Replay(experiment_, baseline_.model, most_beams, foreign_);
+  }
+
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
   [[nodiscard]] const World& baseline() const noexcept { return baseline_; }
   [[nodiscard]] const std::vector<ReplaySample>& samples() const noexcept { return samples_; }
@@ -104,7 +109,7 @@ class Replay {
   mutable std::unordered_map<std::string, Geometry> traced_;
   mutable std::size_t remembered_bytes_ = 0;
   mutable std::map<std::tuple<std::size_t, int, std::uint64_t>, std::vector<CellStatistics>> untouched_;
-  bool foreign_ = false;
+  std::span<const model::ExternalRun> foreign_;
   mutable std::unordered_map<std::string, Shots> fired_;  ///< of the proxy's baseline
   mutable std::size_t remembered_shots_ = 0;
 };
