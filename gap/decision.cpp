@@ -101,11 +101,12 @@ std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>
   std::vector<std::string> ties;
   std::size_t looked_at = 0;
   for (std::size_t i = 1; i < candidates.size() && looked_at < kRivals; ++i) {
-    const Candidate& rival = candidates[i];
+    Candidate rival = candidates[i];
     const std::string& name = rival.hypothesis.name;
     if (name == best.hypothesis.name || std::find(ties.begin(), ties.end(), name) != ties.end()) continue;
     if (rival.merit() < best.merit() - kHopeless) break;
     ++looked_at;
+    judge.hear(rival);  // few beams may have been all that it was judged by so far
     if (rival.discrepancy < best.discrepancy + alike || separation(judge, best, rival) < kApart) ties.push_back(name);
   }
   return ties;

@@ -172,6 +172,13 @@ std::vector<std::string> notesOn(const Replay& replay) {
                     "poses of the scene, the unit of the ranges and which way the azimuth counts.",
                     100.0 * beside / (on + beside)));
   }
+  const auto thinned = idsOf(replay, [](const ReplaySample& s) { return !s.taken.empty(); });
+  if (!thinned.empty()) {
+    const auto& sample = *std::find_if(replay.samples().begin(), replay.samples().end(),
+                                       [](const ReplaySample& s) { return !s.taken.empty(); });
+    notes.push_back(fmt::format("{} of {} beams, spread evenly over the scan, took part in {}.", sample.beams.size(),
+                                sample.whole_scan.size(), samplesText(thinned)));
+  }
   const auto prediction = idsOf(replay, isPrediction);
   if (prediction.size() == replay.samples().size() && prediction.size() > 1) {
     notes.emplace_back("All samples have the role prediction: some of them were fitted all the same.");
