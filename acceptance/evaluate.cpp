@@ -103,6 +103,7 @@ class Evaluation {
 
  private:
   void readInputs();
+  void readLidar();
   void noteUsedFiles();
   SampleResult evaluateSample(std::size_t index);
   std::vector<core::Detections> simulateCorners(std::size_t index);
@@ -134,13 +135,8 @@ void Evaluation::readInputs() {
   result_.experiment_title = experiment_.title;
   result_.experiment_source = experiment_.source;
   result_.synthetic = experiment_.synthetic();
-  if (task_.test.model.empty() && !task_.model) {
-    throw core::InputError(placeOf(task_), "names no model.", "Name the model file that is to be accepted.");
-  }
-  const fs::path model_file = task_.model ? *task_.model : task_.folder / task_.test.model;
-  model_ = model::readModel(model_file);
+  readLidar();
   result_.model_id = model_.id;
-  result_.model_file = shownPath(model_file, task_.folder);
   result_.seed = task_.seed.value_or(model_.seed);
   measurand_ = experiment_.measurand(task_.test.measurand);
   result_.unit = measurand_.unit;
@@ -150,12 +146,25 @@ void Evaluation::readInputs() {
   for (const std::size_t index : indices_) simulations_ += model::cornersOf(model_, experiment_.samples[index]).size();
 }
 
+void Evaluation::readLidar() {
+  if (task_.lidar) {
+    model_ = *task_.lidar;
+    return;
+  }
+  if (task_.test.model.empty() && !task_.model) {
+    throw core::InputError(placeOf(task_), "names no model.", "Name the model file that is to be accepted.");
+  }
+  const fs::path model_file = task_.model ? *task_.model : task_.folder / task_.test.model;
+  model_ = model::readModel(model_file);
+  result_.model_file = shownPath(model_file, task_.folder);
+}
+
 void Evaluation::noteUsedFiles() {
   std::vector<fs::path> files;
   for (const std::size_t index : indices_) {
     for (const fs::path& file : model::filesOf(experiment_, experiment_.samples[index])) files.push_back(file);
   }
-  files.push_back(model_.file);
+  if (!task_.lidar) files.push_back(model_.file);
   for (const fs::path& file : model::filesOf(model_)) files.push_back(file);
   for (const nlohmann::json* json : {&experiment_.json, &model_.json}) {
     const auto sensor = json->find("sensor");

@@ -12,7 +12,8 @@
 
 namespace model {
 class ExternalRuns;
-}
+struct LidarModel;
+}  // namespace model
 
 namespace acceptance {
 
@@ -20,9 +21,10 @@ namespace acceptance {
 struct TestTask {
   specs::AcceptanceTest test;
   std::vector<specs::Requirement> requirements;
-  std::filesystem::path folder;                ///< where the test's relative paths begin
-  std::optional<std::filesystem::path> model;  ///< in place of the test's model
-  std::optional<std::uint64_t> seed;           ///< in place of the model's
+  std::filesystem::path folder;                    ///< where the test's relative paths begin
+  std::optional<std::filesystem::path> model;      ///< in place of the test's model
+  std::shared_ptr<const model::LidarModel> lidar;  ///< read already, in place of every file
+  std::optional<std::uint64_t> seed;               ///< in place of the model's
   /// Answers of models that are not ours, shared by the tests of one session; nullptr: this test has its own.
   std::shared_ptr<model::ExternalRuns> external;
 };

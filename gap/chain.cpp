@@ -6,8 +6,6 @@
 
 namespace gap {
 
-namespace {
-
 std::vector<std::size_t> nodesOf(const percollect::Graph& graph, const std::string& effect,
                                  const std::vector<std::string>& node_ids) {
   const std::string tag = "fidelis-effect:" + effect;
@@ -26,8 +24,6 @@ std::vector<std::size_t> nodesOf(const percollect::Graph& graph, const std::stri
   }
   return nodes;
 }
-
-}  // namespace
 
 CauseChain chainOf(const percollect::Graph& graph, const std::string& effect,
                    const std::vector<std::string>& node_ids) {

@@ -109,6 +109,7 @@ void fillWinner(const Replay& quick, const Split& split, const Decision& decisio
                 const BeforeAfter& far, Diagnosis& diagnosis, core::Progress& progress) {
   diagnosis.after = far.after;
   diagnosis.shrink = far.shrink;
+  diagnosis.held_out_totals = far.samples;
   progress.report(0.92, "intervals of the parameters");
   const auto intervals =
       parameterIntervals(quick, decision.winner->hypothesis, decision.winner->values, split.refined, progress);

@@ -9,6 +9,7 @@
 #include "gap/hypotheses.h"
 #include "gap/proxy.h"
 #include "gap/total_gap.h"
+#include "gap/twice_judged_test.h"
 #include "gap/where.h"
 
 namespace gap {
@@ -62,6 +63,14 @@ struct ResidualMap {
   std::vector<Point> points;
 };
 
+/// The total gap of one held-out sample without and with the verdict's cause.
+struct SampleTotals {
+  std::string sample;
+  std::string setup;
+  double before = 0.0;
+  double after = 0.0;
+};
+
 /// Values of one measurand in one held-out sample, for curves.
 struct BeforeAfterValues {
   std::string measurand;
@@ -105,6 +114,7 @@ struct Diagnosis {
   std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
   std::vector<std::string> held_out;
+  std::vector<SampleTotals> held_out_totals;   ///< of each of them, if a cause was added
   bool weak_hold_out = false;                  ///< no sample could be held out whole
   std::vector<std::string> notes;              ///< what a person should know of the data, sentences
   std::optional<Approximation> approximation;  ///< if the model under test is not the built-in lidar
@@ -112,6 +122,7 @@ struct Diagnosis {
   std::vector<ResidualMap> maps;          ///< the sample with the largest deviation, a map a measurand
   std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples
   nlohmann::json proposed_model;          ///< null if the verdict names nothing that a model file can hold
+  std::optional<std::vector<TwiceJudgedTest>> acceptance_tests;  ///< of a project, if one was given
   double elapsed_s = 0.0;
 };
 

@@ -84,6 +84,10 @@ BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<s
   result.before = meanOf(gaps_before);
   result.after = meanOf(gaps_after);
   result.shrink.fraction = shrinkOf(result.before.total, result.after.total);
+  for (std::size_t i = 0; i < held_out.size(); ++i) {
+    const model::Sample& sample = *replay.samples()[held_out[i]].sample;
+    result.samples.push_back({sample.id, sample.setup, gaps_before[i].total, gaps_after[i].total});
+  }
 
   std::vector<TotalGap> means_before(kResamples), means_after(kResamples);
   core::parallelFor(kResamples, 1, [&](std::size_t r, std::size_t) {

@@ -24,6 +24,7 @@ struct BeforeAfter {
   TotalGap after;
   Shrink shrink;
   std::map<std::string, Interval> bias_intervals;  ///< of the baseline's d_bias
+  std::vector<SampleTotals> samples;
 };
 
 [[nodiscard]] BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,

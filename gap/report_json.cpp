@@ -26,6 +26,7 @@ Json gapJson(const Diagnosis& diagnosis) {
   for (const MeasurandGap& m : diagnosis.before.measurands) {
     const auto interval = diagnosis.bias_intervals.find(m.name);
     Json entry = {{"name", m.name}, {"unit", m.unit}, {"d_bias", m.d_bias}, {"d_cavm", m.d_cavm}};
+    entry["resolution"] = m.resolution;
     entry["interval"] = Json::object();
     if (interval != diagnosis.bias_intervals.end()) entry["interval"]["d_bias"] = toJson(interval->second);
     measurands.push_back(entry);
@@ -78,9 +79,36 @@ Json shrinkJson(const Diagnosis& diagnosis) {
                             {"after", {{"d_bias", after.d_bias}, {"d_cavm", after.d_cavm}}}});
     }
   }
-  return {{"fraction", diagnosis.shrink.fraction},  {"interval", toJson(diagnosis.shrink.interval)},
-          {"held_out_samples", diagnosis.held_out}, {"before_total", diagnosis.before.total},
-          {"after_total", diagnosis.after->total},  {"measurands", measurands}};
+  const auto existence = [](const TotalGap& gap) -> Json {
+    return {{"missing_fraction", gap.missing_fraction}, {"extra_fraction", gap.extra_fraction}};
+  };
+  Json samples = Json::array();
+  for (const SampleTotals& s : diagnosis.held_out_totals) {
+    samples.push_back({{"id", s.sample}, {"setup", s.setup}, {"before_total", s.before}, {"after_total", s.after}});
+  }
+  return {{"fraction", diagnosis.shrink.fraction},
+          {"interval", toJson(diagnosis.shrink.interval)},
+          {"held_out_samples", diagnosis.held_out},
+          {"before_total", diagnosis.before.total},
+          {"after_total", diagnosis.after->total},
+          {"measurands", measurands},
+          {"existence", {{"before", existence(diagnosis.before)}, {"after", existence(*diagnosis.after)}}},
+          {"samples", samples}};
+}
+
+Json flipsJson(const std::vector<TwiceJudgedTest>& tests) {
+  Json flips = Json::array();
+  for (const TwiceJudgedTest& test : tests) {
+    if (!test.flips()) continue;
+    flips.push_back({{"test", test.id},
+                     {"title", test.title},
+                     {"measurand", test.measurand},
+                     {"before", test.before},
+                     {"after", test.after},
+                     {"text_before", test.text_before},
+                     {"text_after", test.text_after}});
+  }
+  return flips;
 }
 
 }  // namespace
@@ -120,6 +148,10 @@ Json reportJson(const Diagnosis& diagnosis) {
   }
   if (diagnosis.approximation) report["approximation"] = toJson(*diagnosis.approximation);
   report["notes"] = diagnosis.notes;
+  if (diagnosis.acceptance_tests) report["acceptance_flips"] = flipsJson(*diagnosis.acceptance_tests);
+  // Of a model that is not ours it would be the proxy's.
+  const bool ours = !diagnosis.approximation && !diagnosis.proposed_model.is_null();
+  if (ours) report["proposed_model"] = diagnosis.proposed_model;
   report["elapsed_s"] = diagnosis.elapsed_s;
   return report;
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kSteps[] = {
     kSchemaVersion1,
+    kSchemaVersion2,
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ Specification ProjectStore::specification() const {
     result.cepra = cepra();
     result.graph = graphImport();
     result.verdicts = latestVerdicts();
+    result.proposals = proposals();
   });
   return result;
 }

@@ -12,6 +12,7 @@
 #include "cepra/table.h"
 #include "percollect/graph.h"
 #include "specs/items.h"
+#include "specs/proposals.h"
 #include "specs/results.h"
 
 namespace specs {
@@ -59,6 +60,7 @@ struct Specification {
   cepra::Table cepra;
   std::optional<GraphImport> graph;
   std::map<std::string, TestVerdict> verdicts;  ///< the newest of each test, by shown id
+  std::vector<Proposal> proposals;              ///< in the order in which they were made
 };
 
 /// What stands for a CEPRA row in a trace: "Range error ← Attenuation", phenomenon and last effect.
@@ -133,6 +135,15 @@ class ProjectStore {
   /// keys. Refuses to drop a row from which a requirement follows (cepra::merge keeps such rows as gone).
   void saveCepra(const cepra::Table& table, const Signature& by);
   [[nodiscard]] cepra::Table cepra() const;
+
+  /// Returns those that are new, with their ids; one of the same evidence for the same row (or for a test) is known
+  /// already and left as it is, whatever became of it.
+  std::vector<Proposal> addProposals(const std::vector<Proposal>& proposals, const Signature& by);
+  /// All, in the order in which they were made.
+  [[nodiscard]] std::vector<Proposal> proposals() const;
+  /// State, person, time and reason become those of `decided`; the history of its row (or requirements) says so. What
+  /// acceptance does to the row is proposals/decide.h.
+  void decide(const Proposal& decided, const Signature& by);
 
   /// Returns the id of the run.
   std::string storeRun(const TestRun& run);

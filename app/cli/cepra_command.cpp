@@ -1,10 +1,11 @@
-// fidelis cepra build|export|import|check: the relevance table of a project.
+// fidelis cepra build|export|import|check, and what a diagnosis proposes for it: the relevance table of a project.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
 
+#include "app/cli/cepra/proposal_steps.h"
 #include "app/cli/commands.h"
 #include "app/cli/signature.h"
 #include "cepra/check.h"
@@ -126,7 +127,9 @@ void addCepraCommand(CLI::App& program, Session& session) {
       "Examples:\n"
       "  fidelis cepra export --project demo.fidelis --csv cepra.csv     then score it in a spreadsheet\n"
       "  fidelis cepra import cepra.csv --project demo.fidelis\n"
-      "  fidelis cepra check --project demo.fidelis");
+      "  fidelis cepra check --project demo.fidelis\n"
+      "  fidelis cepra propose gap.json --project demo.fidelis           what a diagnosis means for it\n"
+      "  fidelis cepra accept P1 --project demo.fidelis");
 
   CLI::App* build = addStep(*command, "build", "Write the unscored table of a graph", options, session, runBuild);
   build->add_option("GRAPH", options->graph, "PerCollECT release; or use the graph of --project");
@@ -148,6 +151,7 @@ void addCepraCommand(CLI::App& program, Session& session) {
       addStep(*command, "check", "Is every score complete? Exit status 1 for errors", options, session, runCheck);
   check->add_option("--project", options->project, "Project file")->required();
   check->add_option("--json", options->json, "Write the findings as JSON to this file (-: standard output)");
+  addProposalSteps(*command, session);
 }
 
 }  // namespace app

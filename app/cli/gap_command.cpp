@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "acceptance/flips.h"
 #include "app/cli/commands.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -27,6 +28,7 @@ struct Options {
   std::string html;
   std::string graph;
   std::string write_model;
+  std::string project;
 };
 
 std::vector<std::string> libraryOf(const std::string& text) {
@@ -60,6 +62,29 @@ std::optional<model::LidarModel> proxyFor(const Options& options, const model::L
   return model::readModel(options.proxy);
 }
 
+void printFlips(const std::vector<gap::TwiceJudgedTest>& tests, std::ostream& out) {
+  const auto flips = std::count_if(tests.begin(), tests.end(), [](const auto& test) { return test.flips(); });
+  out << "  acceptance: with the proposed model " << flips << " of " << tests.size()
+      << " tests of this experiment change their verdict\n";
+  for (const gap::TwiceJudgedTest& test : tests) {
+    if (test.flips()) out << "    " << test.id << ": " << test.before << " -> " << test.after << "\n";
+  }
+}
+
+/// The acceptance tests of a project that belong to the experiment, with the model as it is and as proposed.
+std::vector<gap::TwiceJudgedTest> judgedTests(const specs::ProjectStore& project, const model::Experiment& experiment,
+                                              const model::LidarModel& lidar, const gap::Diagnosis& diagnosis,
+                                              Session& session) {
+  if (diagnosis.approximation || diagnosis.proposed_model.is_null()) {
+    session.messages << "fidelis: no acceptance test was judged again: "
+                     << (diagnosis.approximation ? "the model under test is not the built-in lidar.\n"
+                                                 : "the verdict names nothing that a model file can hold.\n");
+    return {};
+  }
+  return acceptance::judgeTwice(project, experiment, {lidar, model::parseModel(diagnosis.proposed_model, lidar.file)},
+                                session.seed, session.progress);
+}
+
 void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
   constexpr std::size_t kRows = 3;
   out << diagnosis.verdict.text << "\n";
@@ -83,6 +108,7 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
   }
   if (diagnosis.approximation) out << "  note: " << diagnosis.approximation->text << "\n";
   for (const std::string& note : diagnosis.notes) out << "  note: " << note << "\n";
+  if (diagnosis.acceptance_tests) printFlips(*diagnosis.acceptance_tests, out);
   if (diagnosis.next_experiment) out << "  next: " << diagnosis.next_experiment->text << "\n";
 }
 
@@ -101,18 +127,30 @@ void addGapCommand(CLI::App& program, Session& session) {
   command->add_option("--html", options->html, "Write the report as a self-contained page");
   command->add_option("--graph", options->graph, "Cause-effect graph (PerCollECT) in which the causes are looked up");
   command->add_option("--write-model", options->write_model, "Write the model with the cause that was found");
+  command->add_option("--project", options->project,
+                      "Project file: its acceptance tests of this experiment are judged with the proposed model too; "
+                      "its graph serves if --graph names none");
   command->footer(
-      "Example:\n  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json");
+      "Examples:\n"
+      "  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json\n"
+      "  fidelis gap foggy-sweep --model model.json --project demo.fidelis --json report.json\n"
+      "  fidelis cepra propose report.json --project demo.fidelis      what follows for the relevance table");
   command->callback([options, &session] {
     const auto library = libraryOf(options->library);
     const model::Experiment experiment = model::readExperiment(options->experiment);
     const model::LidarModel lidar = model::readModel(options->model);
     std::optional<percollect::Graph> graph;
     if (!options->graph.empty()) graph = percollect::readGraph(options->graph).graph;
+    std::optional<specs::ProjectStore> project;
+    if (!options->project.empty()) project = specs::ProjectStore::open(options->project, specs::Access::ReadOnly);
+    if (project && !graph) graph = project->graph();
     gap::Diagnosis diagnosis =
         gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed, .proxy = proxyFor(*options, lidar)},
                       session.progress);
     if (graph) gap::addChains(diagnosis, *graph);
+    if (project) {
+      diagnosis.acceptance_tests = judgedTests(*project, experiment, lidar, diagnosis, session);
+    }
     if (!options->html.empty()) core::writeFile(options->html, gap::reportHtml(diagnosis));
     if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
     if (options->json != "-") print(diagnosis, session.out);

@@ -24,8 +24,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"specs", {"percollect", "cepra", "report"}},
     {"gap", {"percollect", "cepra", "specs", "model", "metrics", "report"}},
     {"acceptance", {"percollect", "cepra", "specs", "model", "metrics", "report", "gap"}},
+    {"proposals", {"percollect", "cepra", "specs", "model", "gap", "acceptance"}},
     {"app",
-     {"percollect", "cepra", "specs", "model", "metrics", "objects", "prediction", "report", "gap", "acceptance"}},
+     {"percollect", "cepra", "specs", "model", "metrics", "objects", "prediction", "report", "gap", "acceptance",
+      "proposals"}},
 };
 
 std::vector<std::filesystem::path> sourcesOf(const std::string& folder) {

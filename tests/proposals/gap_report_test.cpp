@@ -1,0 +1,80 @@
+#include "proposals/gap_report.h"
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/json_object.h"
+#include "gap/report_json.h"
+#include "tests/proposals/demo_project.h"
+#include "tests/support/thrown_message.h"
+
+namespace proposals {
+namespace {
+
+using test_proposals::DemoProject;
+using ::testing::HasSubstr;
+
+TEST(GapReport, HoldsWhatTheDiagnosisFound) {
+  const DemoProject project;
+  const gap::Diagnosis& diagnosis = DemoProject::diagnosis();
+  const GapReport report = readGapReport(project.report());
+  EXPECT_EQ(report.experiment, "foggy-sweep");
+  EXPECT_EQ(report.names, diagnosis.verdict.names);
+  EXPECT_EQ(report.text, diagnosis.verdict.text);
+  EXPECT_EQ(report.shrink, diagnosis.shrink.fraction);
+  EXPECT_EQ(report.held_out, diagnosis.held_out);
+  EXPECT_EQ(report.sha256, core::sha256OfFile(project.report()));
+  EXPECT_EQ(report.proposed_model, diagnosis.proposed_model);
+  ASSERT_EQ(report.causes.size(), diagnosis.causes.size());
+  EXPECT_EQ(report.causes[0].parameters[0].value, diagnosis.causes[0].parameters[0].value);
+}
+
+// Formats section 6: the total gap is the mean over the held-out samples, and the sum of what measurands and existence
+// add.
+TEST(GapReport, TotalsOfSamplesAndWeightsOfMeasurandsAddUp) {
+  const DemoProject project;
+  const GapReport report = readGapReport(project.report());
+  ASSERT_EQ(report.samples.size(), report.held_out.size());
+  double before = 0.0, after = 0.0;
+  for (const ReportedSample& sample : report.samples) {
+    before += sample.before / double(report.samples.size());
+    after += sample.after / double(report.samples.size());
+  }
+  EXPECT_NEAR(before, report.totals->first, 1e-9);
+  EXPECT_NEAR(after, report.totals->second, 1e-9);
+  EXPECT_NEAR(1.0 - after / before, *report.shrink, 1e-9);
+}
+
+TEST(GapReport, TheTimeItTookIsNoEvidence) {
+  const DemoProject project;
+  nlohmann::json json = gap::reportJson(DemoProject::diagnosis());
+  const std::string once = parseGapReport(json, "a.json").evidence;
+  json["elapsed_s"] = 1234.5;
+  EXPECT_EQ(parseGapReport(json, "b.json").evidence, once);
+  json["verdict"]["text"] = "Another sentence.";
+  EXPECT_NE(parseGapReport(json, "b.json").evidence, once);
+}
+
+TEST(GapReport, AReportWithoutTheNewerKeysIsReadAndUnknownKeysArePassedOver) {
+  nlohmann::json json = gap::reportJson(DemoProject::diagnosis());
+  json.erase("proposed_model");
+  json["shrink"].erase("samples");
+  json["shrink"].erase("existence");
+  json["of-a-later-version"] = true;
+  const GapReport report = parseGapReport(json, "old.json");
+  EXPECT_TRUE(report.proposed_model.is_null());
+  EXPECT_TRUE(report.samples.empty());
+}
+
+TEST(GapReport, AnotherFileIsRefusedInWords) {
+  const test_support::TemporaryFolder folder;
+  const auto metric = folder.write("metric.json", R"({"format": "fidelis-metric", "version": 1})");
+  EXPECT_THAT(test_support::thrownMessage([&] { (void)readGapReport(metric); }), HasSubstr("fidelis-gap"));
+  nlohmann::json json = gap::reportJson(DemoProject::diagnosis());
+  json["verdict"]["kind"] = "efect";
+  EXPECT_THAT(test_support::thrownMessage([&] { (void)parseGapReport(json, "gap.json"); }), HasSubstr("/verdict/kind"));
+}
+
+}  // namespace
+}  // namespace proposals
