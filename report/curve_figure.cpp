@@ -30,10 +30,16 @@ Range rangeOf(const CurveFigure& content) {
   return range ? widened(*range, 0.04) : Range{0.0, 1.0};
 }
 
+std::string_view colourOf(const CurveFigure& content, std::size_t index) {
+  const std::string& own = content.curves[index].colour;
+  return own.empty() ? kColours[index % kColourCount] : std::string_view(own);
+}
+
 void drawCurve(Figure& figure, const CurveFigure& content, std::size_t index, const Scale& x, const Scale& y) {
   const auto& values = content.curves[index].y;
-  const Stroke stroke{
-      .colour = kColours[index % kColourCount], .width = 2.0, .dashes = index >= kColourCount ? "5 3" : ""};
+  const std::string_view round = index >= kColourCount ? "5 3" : "";
+  const std::string& own = content.curves[index].dashes;
+  const Stroke stroke{.colour = colourOf(content, index), .width = 2.0, .dashes = own.empty() ? round : own};
   std::vector<Point> line;
   const auto draw = [&] {
     if (line.size() > 1) figure.polyline(simplified(line), stroke);
@@ -54,7 +60,10 @@ void drawCurve(Figure& figure, const CurveFigure& content, std::size_t index, co
 std::string curveFigure(const CurveFigure& content) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < content.curves.size(); ++i) {
-    legend.push_back({.text = content.curves[i].name, .colour = kColours[i % kColourCount], .is_line = true});
+    legend.push_back({.text = content.curves[i].name,
+                      .colour = colourOf(content, i),
+                      .is_line = true,
+                      .dashes = content.curves[i].dashes});
   }
   const double legend_height = 18.0 * static_cast<double>((legend.size() + 1) / 2);
   const Box area = {74.0, 42.0, kWidth - 74.0 - 24.0, kHeight};

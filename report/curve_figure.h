@@ -17,6 +17,8 @@ struct CurveFigure {
   struct Curve {
     std::string name;
     std::vector<double> y;  ///< one for each x
+    std::string colour;     ///< "": the next of the palette
+    std::string dashes;     ///< as in SVG: "6 4"; "": drawn through
   };
   std::string title;
   std::string x_name;  ///< with unit: "incidence angle in °"

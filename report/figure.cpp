@@ -224,7 +224,7 @@ double drawLegend(Figure& figure, Point at, double width, std::span<const Legend
     const double x = at.x + static_cast<double>(i % columns) * column_width;
     const double y = at.y + static_cast<double>(i / columns) * kRow + kRow / 2.0;
     if (entry.is_line) {
-      figure.line({x, y}, {x + kSample, y}, {.colour = entry.colour, .width = 2.0});
+      figure.line({x, y}, {x + kSample, y}, {.colour = entry.colour, .width = 2.0, .dashes = entry.dashes});
     } else {
       figure.rectangle({x, y - 5.0, kSample, 10.0}, {.colour = entry.colour, .opacity = entry.opacity});
     }

@@ -107,6 +107,7 @@ struct LegendEntry {
   std::string_view colour;
   double opacity = 1.0;
   bool is_line = false;
+  std::string_view dashes = "";  ///< of a line
 };
 
 /// Draws the entries in columns, row by row, from the upper left corner `at` over `width`; returns the height used.

@@ -1,6 +1,8 @@
 #include "report/page.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "core/text.h"
@@ -11,7 +13,7 @@ namespace report {
 namespace {
 
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light; }
+:root { color-scheme: light dark; }
 body { font: 15px/1.5 system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; color: #1f2328;
   background: #fff; margin: 0 auto; padding: 28px 32px 48px; max-width: 1000px; }
 header { border-bottom: 3px solid #0072b2; padding-bottom: 12px; margin-bottom: 18px; }
@@ -40,13 +42,33 @@ table.facts th { width: 11em; font-weight: 600; color: #3d4650; white-space: now
 table.facts tr { background: none; }
 figure { margin: 14px 0 20px; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; border: 1px solid #e3e6ea; }
+.answer { border: 2px solid #0072b2; border-radius: 6px; padding: 4px 20px 10px; margin: 0 0 18px; background: #f4f9fd; }
+.answer h2 { margin: 12px 0 4px; border: 0; font-size: 16px; }
+.answer .sentence { font-size: 19px; line-height: 1.4; font-weight: 600; max-width: none; margin: 4px 0 12px; }
+dl { display: grid; grid-template-columns: 11.5em 1fr; gap: 8px 16px; margin: 10px 0; }
+dt { font-weight: 600; color: #3d4650; } dd { margin: 0; max-width: 75ch; } dd p:first-child, dd ol { margin-top: 0; }
+dd ol { margin-bottom: 0; padding-left: 1.3em; } li { margin: 3px 0; max-width: 75ch; }
+.lead { color: #3d4650; font-style: italic; }
+.scroll { overflow-x: auto; } caption { text-align: left; color: #59636e; font-size: 13.5px; padding: 4px 0; }
+thead th.number { white-space: normal; } tbody th { font-weight: 400; }
+.share { white-space: nowrap; } .share svg { vertical-align: 0; border-radius: 2px; }
+.shaded { display: block; padding: 2px 8px; text-align: center; }
 figcaption { color: #59636e; font-size: 13.5px; max-width: 85ch; }
 nav { background: #f6f8fa; border: 1px solid #e3e6ea; padding: 8px 14px; margin: 14px 0; }
 nav ul { margin: 0; padding-left: 18px; columns: 2; }
 details { margin: 8px 0; } summary { cursor: pointer; color: #0b4f7d; font-weight: 600; }
 a { color: #0b4f7d; }
 footer { margin-top: 40px; padding-top: 8px; border-top: 1px solid #d8dde3; color: #59636e; font-size: 13px; }
-@media print { body { padding: 0; max-width: none; font-size: 11pt; } h2, h3 { break-after: avoid; }
+@media screen and (prefers-color-scheme: dark) { body { background: #16191d; color: #e3e6ea; }
+  h2 { border-color: #3d4650; } a, summary { color: #7cc0f0; } nav, pre { background: #1f2429; border-color: #3d4650; }
+  .answer { background: #1a232b; } dt, thead th, table.facts th, .lead { color: #c3cad2; }
+  .subtitle, figcaption, caption, footer { color: #a5aeb8; } th, td { border-color: #343b43; }
+  tbody tr:nth-child(even) { background: #1d2126; } figure svg { background: #fff; }
+  .good { color: #b7e4c0; background: #14351d; } .bad { color: #f7c1bd; background: #47191a; }
+  .warning { color: #f5d78a; background: #3d2f0a; } .neutral { color: #d5dae0; background: #2d333a; } }
+@media print { :root { color-scheme: light; } .scroll { overflow: visible; } .answer, .shaded, .share {
+  print-color-adjust: exact; -webkit-print-color-adjust: exact; break-inside: avoid; }
+  body { padding: 0; max-width: none; font-size: 11pt; } h2, h3 { break-after: avoid; }
   tr { break-inside: avoid; } .badge, .banner, tbody tr { print-color-adjust: exact;
   -webkit-print-color-adjust: exact; } nav { display: none; } }
 )";
@@ -98,6 +120,36 @@ Html link(std::string_view address, std::string_view text) {
   return rawHtml(fmt::format("<a href=\"{}\">{}</a>", escaped(address), escaped(text)));
 }
 
+Html shareBar(double share) {
+  const double width = 60.0 * std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0);
+  return rawHtml(
+      fmt::format("<span class=\"share\"><svg width=\"60\" height=\"9\" aria-hidden=\"true\"><rect width=\"60\" "
+                  "height=\"9\" fill=\"#d8dde3\"/><rect width=\"{:.1f}\" height=\"9\" fill=\"#0072b2\"/></svg> {:.0f} "
+                  "%</span>",
+                  width, 100.0 * share));
+}
+
+Html shaded(std::string_view number, double share) {
+  share = std::clamp(share, 0.0, 1.0);  // squared below: what is hardly alike stays pale
+  return rawHtml(fmt::format("<span class=\"shaded\" style=\"background:rgba(86,180,233,{:.2f})\">{}</span>",
+                             0.9 * share * share, escaped(number)));
+}
+
+Html orderedList(const std::vector<Html>& items) {
+  std::string markup = "<ol>\n";
+  for (const Html& item : items) markup += "<li>" + item.markup() + "</li>\n";
+  return rawHtml(markup + "</ol>\n");
+}
+
+Html definitions(const std::vector<Definition>& entries) {
+  std::string markup = "<dl>\n";
+  for (const Definition& entry : entries) {
+    markup += fmt::format("<dt{}>{}</dt><dd>{}</dd>\n", idAttribute(entry.anchor), escaped(entry.term),
+                          entry.meaning.markup());
+  }
+  return rawHtml(markup + "</dl>\n");
+}
+
 Html operator+(Html left, const Html& right) {
   left += right;
   return left;
@@ -107,6 +159,18 @@ Page::Page(std::string_view title, std::string_view subtitle) : title_(title), s
 
 void Page::banner(std::string_view text, Tone tone) {
   banners_ += fmt::format("<p class=\"banner {}\" role=\"note\">{}</p>\n", className(tone), escaped(text));
+}
+
+void Page::answer(std::string_view heading, const Html& badge, std::string_view sentence,
+                  const std::vector<KeyValue>& facts) {
+  answer_ += fmt::format(
+      "<section class=\"answer\" id=\"answer\" aria-labelledby=\"answer-heading\">\n<h2 "
+      "id=\"answer-heading\">{}{}</h2>\n"
+      "<p class=\"sentence\">{}</p>\n<dl>\n",
+      escaped(heading), badge.markup(), escaped(sentence));
+  for (const KeyValue& fact : facts)
+    answer_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(fact.key), fact.value.markup());
+  answer_ += "</dl>\n</section>\n";
 }
 
 void Page::heading(int level, std::string_view title, std::string_view anchor, const Html& after) {
@@ -130,6 +194,10 @@ void Page::paragraph(std::string_view content) { paragraph(text(content)); }
 
 void Page::paragraph(const Html& content) { body_ += "<p>" + content.markup() + "</p>\n"; }
 
+void Page::lead(std::string_view content) { body_ += "<p class=\"lead\">" + escaped(content) + "</p>\n"; }
+
+void Page::block(const Html& content) { body_ += content.markup(); }
+
 void Page::keyValues(const std::vector<KeyValue>& rows) {
   body_ += "<table class=\"facts\"><tbody>\n";
   for (const KeyValue& row : rows) {
@@ -138,9 +206,12 @@ void Page::keyValues(const std::vector<KeyValue>& rows) {
   body_ += "</tbody></table>\n";
 }
 
-void Page::table(const std::vector<TableColumn>& header, const std::vector<std::vector<Html>>& rows) {
+void Page::table(const std::vector<TableColumn>& header, const std::vector<std::vector<Html>>& rows,
+                 std::string_view caption) {
   const auto classOf = [&](std::size_t i) { return header[i].align == Align::Right ? " class=\"number\"" : ""; };
-  body_ += "<table><thead><tr>";
+  body_ += "<div class=\"scroll\"><table>";
+  if (!caption.empty()) body_ += "<caption>" + escaped(caption) + "</caption>";
+  body_ += "<thead><tr>";
   for (std::size_t i = 0; i < header.size(); ++i) {
     body_ += fmt::format("<th scope=\"col\"{}>{}</th>", classOf(i), escaped(header[i].name));
   }
@@ -148,10 +219,14 @@ void Page::table(const std::vector<TableColumn>& header, const std::vector<std::
   for (const auto& row : rows) {
     assert(row.size() == header.size());
     body_ += "<tr>";
-    for (std::size_t i = 0; i < header.size(); ++i) body_ += fmt::format("<td{}>{}</td>", classOf(i), row[i].markup());
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      const char* tag = header[i].heads_row ? "th scope=\"row\"" : "td";
+      const char* end = header[i].heads_row ? "th" : "td";
+      body_ += fmt::format("<{}{}>{}</{}>", tag, classOf(i), row[i].markup(), end);
+    }
     body_ += "</tr>\n";
   }
-  body_ += "</tbody></table>\n";
+  body_ += "</tbody></table></div>\n";
 }
 
 void Page::figure(std::string_view svg, std::string_view caption) {
@@ -183,7 +258,7 @@ std::string Page::html() const {
       core::kVersion, escaped(title_), kStyle);
   page += "<header><h1>" + escaped(title_) + "</h1>";
   if (!subtitle_.empty()) page += "<p class=\"subtitle\">" + escaped(subtitle_) + "</p>";
-  page += "</header>\n" + banners_;
+  page += "</header>\n" + banners_ + answer_;
   if (contents_.size() >= 3) {
     page += "<nav aria-label=\"Contents\"><ul>\n";
     for (const Entry& entry : contents_) {

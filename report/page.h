@@ -32,6 +32,18 @@ class Html {
 [[nodiscard]] Html strong(std::string_view text);
 [[nodiscard]] Html badge(std::string_view word, Tone tone);
 [[nodiscard]] Html link(std::string_view address, std::string_view text);  ///< "#anchor" or a relative path
+/// A small bar for a share between 0 and 1, with the percentage behind it.
+[[nodiscard]] Html shareBar(double share);
+/// A number on a ground that is the darker the nearer `share` is to 1: for matrices. The number carries the meaning.
+[[nodiscard]] Html shaded(std::string_view number, double share);
+[[nodiscard]] Html orderedList(const std::vector<Html>& items);
+/// Terms with their explanations.
+struct Definition {
+  std::string term;
+  std::string anchor;  ///< "": none
+  Html meaning;
+};
+[[nodiscard]] Html definitions(const std::vector<Definition>& entries);
 [[nodiscard]] Html operator+(Html left, const Html& right);
 
 enum class Align { Left, Right };
@@ -39,6 +51,7 @@ enum class Align { Left, Right };
 struct TableColumn {
   std::string name;
   Align align = Align::Left;  ///< numbers: Right
+  bool heads_row = false;     ///< its cells say what their row is about
 };
 
 struct KeyValue {
@@ -62,6 +75,9 @@ class Page {
 
   /// A line across the page that nobody overlooks.
   void banner(std::string_view text, Tone tone);
+  /// A box before the contents that answers the reader's question: a heading, one sentence in large letters, and facts.
+  void answer(std::string_view heading, const Html& badge, std::string_view sentence,
+              const std::vector<KeyValue>& facts);
   /// A heading of level 2 with an anchor for links ("": none); listed in the contents if there are three or more.
   void section(std::string_view title, std::string_view anchor = "");
   void subsection(std::string_view title, std::string_view anchor = "");
@@ -70,9 +86,13 @@ class Page {
   void subsection(std::string_view title, std::string_view anchor, const Html& after);
   void paragraph(std::string_view text);
   void paragraph(const Html& content);
+  /// The sentence below a heading that says what the section shows and how to read it.
+  void lead(std::string_view text);
+  void block(const Html& content);  ///< a list, definitions: what is no paragraph
   void keyValues(const std::vector<KeyValue>& rows);
   /// Every row must be as long as the header. Large numbers of rows are fine.
-  void table(const std::vector<TableColumn>& header, const std::vector<std::vector<Html>>& rows);
+  void table(const std::vector<TableColumn>& header, const std::vector<std::vector<Html>>& rows,
+             std::string_view caption = "");
   /// `svg` stands inside the page as it is.
   void figure(std::string_view svg, std::string_view caption = "");
   void preformatted(std::string_view text);
@@ -92,6 +112,7 @@ class Page {
   std::string title_;
   std::string subtitle_;
   std::string banners_;
+  std::string answer_;
   std::string body_;
   std::vector<Entry> contents_;
   int open_details_ = 0;
