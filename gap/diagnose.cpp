@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "gap/background.h"
 #include "gap/candidates.h"
 #include "gap/decision.h"
 #include "gap/diagnosis.h"
@@ -49,7 +50,8 @@ Cause toCause(const Candidate& candidate) {
   cause.explained = std::min(1.0, candidate.explained);
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
-    const FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt};
+    FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt, Interval{p.low, p.high}, std::nullopt};
+    if (cause.kind == CauseKind::kParameter) fitted.recorded = p.start;
     if (candidate.hypothesis.per_setup) {
       cause.setups[p.name] = fitted;
     } else {
@@ -77,7 +79,7 @@ std::vector<Cause> splitPair(const Candidate& pair) {
 
 /// The causes that are listed, the verdict's first.
 void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed,
-                Diagnosis& diagnosis) {
+                Diagnosis& diagnosis, const core::Progress& progress) {
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = replay.samples().front().layout->pooled();
@@ -99,8 +101,7 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
     const bool is_winner = decision.winner && !decision.pair() && i == 0;  // gets its shrink with the interval
     if (is_winner) continue;
     const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-    const double shrink = shrinkOf(diagnosis.before.total, totalOf(replay, world, split.held_out.samples, seed));
-    diagnosis.causes.back().shrink = {shrink, {shrink, shrink}};
+    diagnosis.causes.back().shrink = howFar(replay, world, split.held_out.samples, seed, progress).shrink;
   }
 }
 
@@ -155,6 +156,8 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   NextExperiment next;
   next.separates = {rivals[0]->hypothesis.name, rivals[1]->hypothesis.name};
   next.parameters = replay.samples()[best].sample->parameters;
+  next.sample = replay.samples()[best].sample->id;
+  next.predictions = predictionsOf(replay, {replay.baseline(), a, b}, best, split.fitted.seed);
   next.text = nextExperimentSentence(next, replay.samples()[best].sample->id);
   return next;
 }
@@ -232,6 +235,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const bool clear = diagnosis.p_value < kSignificance && material;
   Decision decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
                              {replay, split, yardstick}, clear, where.rows, options.library, progress);
+  diagnosis.background = backgroundOf(replay, split, decision);
   progress.report(0.86, "measuring how far the gap shrinks");
   const World after =
       decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
@@ -249,11 +253,12 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   }
   if (!diagnosis.present) decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
-  fillCauses(replay, split, decision, seed, diagnosis);
+  fillCauses(replay, split, decision, seed, diagnosis, progress);
   if (decision.winner) fillWinner(quick, split, decision, after, far, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
   diagnosis.curves =
       beforeAfterValues(replay, where.tables, split.held_out.samples, decision.winner ? &after : nullptr, seed);
+  diagnosis.confusion = confusionOf(quick, worldsOf(quick, decision, diagnosis.causes), split.held_out);
   Verdict& verdict = diagnosis.verdict;
   if (decision.winner) {
     verdict.names = decision.names();

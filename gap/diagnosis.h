@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "gap/confusion.h"
 #include "gap/hypotheses.h"
 #include "gap/proxy.h"
 #include "gap/total_gap.h"
@@ -24,7 +25,9 @@ struct FittedParameter {
   std::string name;
   std::string unit;
   double value = 0.0;
-  std::optional<Interval> interval;  ///< 95 %, over set-ups; absent where it was not computed
+  std::optional<Interval> interval;   ///< 95 %, over set-ups; absent where it was not computed
+  std::optional<Interval> plausible;  ///< the range that was searched
+  std::optional<double> recorded;     ///< what the model file or the experiment says, of a wrong parameter
 };
 
 struct Shrink {
@@ -49,17 +52,19 @@ struct Cause {
   std::vector<std::string> chain_titles;
 };
 
-/// Measured minus simulated mean of every beam of one sample, for a map.
+/// Measured minus simulated over the beams of one sample, for a map. Large scans are averaged over neighbouring beams.
 struct ResidualMap {
   struct Point {
     double azimuth_deg;
-    double layer;
-    double value;
+    std::size_t row;  ///< in `rows`
+    double value;     ///< NaN: a beam was fired there, and neither side has data
   };
   std::string measurand;
+  std::string component;  ///< "bias" (of the mean), "scatter", "missing" or "extra"
   std::string unit;
   std::string sample;
   double azimuth_step_deg = 1.0;
+  std::vector<std::string> rows;  ///< what they are called, lowest elevation first
   std::vector<Point> points;
 };
 
@@ -97,6 +102,18 @@ struct NextExperiment {
   std::string text;
   std::vector<std::string> separates;
   std::map<std::string, double> parameters;
+  std::string sample;                   ///< that has these parameters
+  std::vector<Prediction> predictions;  ///< of the model as it is and of the two that it separates
+};
+
+/// What a reader must know of the data to weigh the answer.
+struct Background {
+  std::vector<std::string> objects;  ///< ids, in the order of the scene
+  std::vector<std::string> fitted;   ///< samples that were fitted
+  std::size_t frames = 0;
+  std::size_t detections = 0;
+  std::size_t hypotheses = 0;        ///< how many were tried
+  std::vector<std::string> effects;  ///< that the model already has
 };
 
 /// The answer to: where does the simulation differ, which cause explains it, how far does the gap shrink?
@@ -119,9 +136,11 @@ struct Diagnosis {
   std::vector<std::string> notes;              ///< what a person should know of the data, sentences
   std::optional<Approximation> approximation;  ///< if the model under test is not the built-in lidar
   std::optional<NextExperiment> next_experiment;
-  std::vector<ResidualMap> maps;          ///< the sample with the largest deviation, a map a measurand
+  std::vector<ResidualMap> maps;          ///< of the samples that deviate most, both components of a measurand
   std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples
   nlohmann::json proposed_model;          ///< null if the verdict names nothing that a model file can hold
+  Confusion confusion;                    ///< of the causes, in their order
+  Background background;
   std::optional<std::vector<TwiceJudgedTest>> acceptance_tests;  ///< of a project, if one was given
   double elapsed_s = 0.0;
 };

@@ -7,7 +7,8 @@
 
 namespace gap {
 
-/// One map of beam means for every measurand that deviates, of the sample in which it deviates most.
+/// Maps of every measurand that deviates: of up to three samples in which it deviates most, both components of each
+/// (bias and scatter, or missing and extra).
 [[nodiscard]] std::vector<ResidualMap> residualMaps(const Replay& replay, const std::vector<ResidualTable>& tables);
 
 /// Values for curves of the measurand that deviates most, of up to three held-out samples.

@@ -111,6 +111,20 @@ Json flipsJson(const std::vector<TwiceJudgedTest>& tests) {
   return flips;
 }
 
+Json predictionsJson(const NextExperiment& next) {
+  Json predictions = Json::array();
+  for (const Prediction& p : next.predictions) {
+    predictions.push_back({{"measurand", p.measurand},
+                           {"unit", p.unit},
+                           {"beams", p.beams},
+                           {"noise", p.noise},
+                           {"model_as_it_is", p.values[0]},
+                           {next.separates[0], p.values[1]},
+                           {next.separates[1], p.values[2]}});
+  }
+  return predictions;
+}
+
 }  // namespace
 
 Json reportJson(const Diagnosis& diagnosis) {
@@ -144,7 +158,8 @@ Json reportJson(const Diagnosis& diagnosis) {
   if (diagnosis.next_experiment) {
     report["next_experiment"] = {{"text", diagnosis.next_experiment->text},
                                  {"separates", diagnosis.next_experiment->separates},
-                                 {"parameters", diagnosis.next_experiment->parameters}};
+                                 {"parameters", diagnosis.next_experiment->parameters},
+                                 {"predictions", predictionsJson(*diagnosis.next_experiment)}};
   }
   if (diagnosis.approximation) report["approximation"] = toJson(*diagnosis.approximation);
   report["notes"] = diagnosis.notes;
@@ -152,6 +167,7 @@ Json reportJson(const Diagnosis& diagnosis) {
   // Of a model that is not ours it would be the proxy's.
   const bool ours = !diagnosis.approximation && !diagnosis.proposed_model.is_null();
   if (ours) report["proposed_model"] = diagnosis.proposed_model;
+  report["confusion"] = {{"names", diagnosis.confusion.names}, {"alike", diagnosis.confusion.alike}};
   report["elapsed_s"] = diagnosis.elapsed_s;
   return report;
 }

@@ -9,12 +9,40 @@ namespace gap {
 /// One sentence for a person: what was found, how sure, how far the gap shrinks.
 [[nodiscard]] std::string verdictSentence(const Diagnosis& diagnosis);
 
-/// "Measured echo pulse widths are 0.27 m narrower than simulated where range_m is 28.1 to 69.0 (62 % of this gap)."
+/// The same for a reader who knows neither the names of the library nor those of the files, and without numbers.
+[[nodiscard]] std::string answerSentence(const Diagnosis& diagnosis);
+
+/// "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m: 62 % of this gap, in 40 % of the
+/// data."
 [[nodiscard]] std::string whereSentence(const WhereRow& row);
 
-/// "range_m is 28.1 to 69.0".
+/// The same without the shares: "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m".
+[[nodiscard]] std::string whereClause(const WhereRow& row);
+
+/// "at ranges from 28.1 to 69 m".
 [[nodiscard]] std::string stratumText(const WhereRow& row);
 
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample);
+
+/// "echo pulse width" for "epw".
+[[nodiscard]] std::string measurandTitle(const std::string& measurand);
+/// "mean of the echo pulse width", "missing echoes".
+[[nodiscard]] std::string componentTitle(const std::string& measurand, const std::string& component);
+
+/// What a cause is called: "attenuation by the atmosphere", "reflectivity of the material board", "recorded position of
+/// target, x (forward)".
+[[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
+/// What a fitted number means: "meteorological visibility".
+[[nodiscard]] std::string parameterTitle(const Cause& cause, const FittedParameter& parameter);
+/// Its unit, for numbers in a file told by the ending of their names: "W" for "peak_power_w".
+[[nodiscard]] std::string unitOf(const Cause& cause, const FittedParameter& parameter);
+
+/// "very sure" … "hardly more than a guess".
+[[nodiscard]] std::string confidenceInWords(double confidence);
+/// Whether a deviation may be chance: "no, certainly", "no", "hardly", "possibly".
+[[nodiscard]] std::string certaintyInWords(double p_value);
+
+/// "62 %".
+[[nodiscard]] std::string percent(double fraction);
 
 }  // namespace gap

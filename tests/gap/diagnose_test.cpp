@@ -4,7 +4,6 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "gap/diagnosis.h"
-#include "gap/report_html.h"
 #include "gap/report_json.h"
 #include "tests/gap/small_world.h"
 
@@ -177,16 +176,6 @@ TEST(Diagnose, StopsWhenCancelled) {
   const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.2}}}});
   const auto experiment = world.measuredBy(truth, 0.4);
   EXPECT_THROW((void)gap::diagnose(experiment, SmallWorld::modelWith({}), {}, progress), core::Cancelled);
-}
-
-TEST(GapReport, PageSaysSyntheticAndTheVerdict) {
-  const SmallWorld world;
-  const auto truth = SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.2}}}});
-  const auto diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}), {"range-offset"});
-  const std::string page = gap::reportHtml(diagnosis);
-  EXPECT_NE(page.find("Synthetic data"), std::string::npos);
-  EXPECT_NE(page.find(diagnosis.verdict.names.at(0)), std::string::npos);
-  EXPECT_NE(page.find("<svg"), std::string::npos);
 }
 
 }  // namespace

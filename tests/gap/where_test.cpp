@@ -31,9 +31,10 @@ TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
                     .unit = "m",
                     .share = 0.62,
                     .size = 0.4};
-  EXPECT_EQ(gap::whereSentence(row),
-            "Measured epw is smaller than simulated by 0.27 m where range_m is 28.1 to 69 (62 % of this gap in 40 % of "
-            "the data).");
+  EXPECT_EQ(
+      gap::whereSentence(row),
+      "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m: 62 % of this gap, in 40 % of "
+      "the data.");
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#include "gap/background.h"
+
+#include <algorithm>
+
+namespace gap {
+
+Background backgroundOf(const Replay& replay, const Split& split, const Decision& decision) {
+  Background background;
+  const auto& scene = replay.experiment().json.value("scene", nlohmann::json::array());
+  for (const auto& object : scene) background.objects.push_back(object.value("id", std::string()));
+  for (const std::size_t s : split.fitted.samples) background.fitted.push_back(replay.samples()[s].sample->id);
+  for (const ReplaySample& sample : replay.samples()) {
+    background.frames += static_cast<std::size_t>(sample.frames);
+    background.detections += sample.measured.size();
+  }
+  background.hypotheses = decision.singles.size();
+  for (const model::ActiveEffect& effect : replay.baseline().model.effects) background.effects.push_back(effect.name);
+  return background;
+}
+
+std::vector<NamedWorld> worldsOf(const Replay& replay, const Decision& decision, const std::vector<Cause>& causes) {
+  std::vector<Candidate> candidates;
+  if (decision.pair()) {
+    auto values = decision.winner->values.begin();
+    for (const Hypothesis& member : decision.winner->hypothesis.members) {
+      const auto end = values + static_cast<std::ptrdiff_t>(member.parameters.size());
+      candidates.push_back({member, {values, end}, 0.0});
+      values = end;
+    }
+  }
+  candidates.insert(candidates.end(), decision.singles.begin(), decision.singles.end());
+  std::vector<NamedWorld> worlds;
+  for (const Cause& cause : causes) {
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return c.hypothesis.name == cause.name && c.hypothesis.variant == cause.variant &&
+             c.hypothesis.sensors == cause.sensors;
+    });
+    if (found != candidates.end()) worlds.push_back({cause.name, worldOf(replay, found->hypothesis, found->values)});
+  }
+  return worlds;
+}
+
+}  // namespace gap

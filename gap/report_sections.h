@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "gap/diagnosis.h"
+#include "report/page.h"
+
+namespace gap {
+
+/// The parts of the page, in its order. Each begins with a sentence that says what it shows and how to read it, and
+/// stands by itself for every kind of verdict.
+void addAnswer(report::Page& page, const Diagnosis& diagnosis);  ///< what, how sure, how far, what to do next
+void addWhere(report::Page& page, const Diagnosis& diagnosis);
+void addCauses(report::Page& page, const Diagnosis& diagnosis);
+void addHowFar(report::Page& page, const Diagnosis& diagnosis);
+void addNext(report::Page& page, const Diagnosis& diagnosis);
+void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the words used
+
+/// A number to three digits for a reader: "20000", where core::significant says 2e+04.
+[[nodiscard]] std::string readable(double value);
+/// The same with its unit; small powers in nW.
+[[nodiscard]] std::string withUnit(double value, const std::string& unit);
+/// "0.42 to 0.47 m".
+[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
+/// "92 to 97 %".
+[[nodiscard]] std::string percentInterval(const Interval& interval);
+/// "meteorological visibility 522 m (95 % interval 450 to 594 m)".
+[[nodiscard]] std::string fittedText(const Cause& cause, const FittedParameter& parameter);
+/// Whether the verdict names a cause.
+[[nodiscard]] bool isNamed(const Diagnosis& diagnosis, const Cause& cause);
+
+}  // namespace gap
