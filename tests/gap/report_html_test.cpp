@@ -188,6 +188,10 @@ TEST(GapPage, SaysWhenDataAreSyntheticAndWhenNoSampleCouldBeHeldOut) {
   d.synthetic = d.weak_hold_out = true;
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("Synthetic data"));
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("other beams of the same samples"));
+  d.verdict.limits = {"there is one sample only"};
+  d.notes = {"The intensity was not measured."};
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("The data tell little: there is one sample only."));
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("The intensity was not measured."));
 }
 
 TEST(GapPage, ListsAcceptanceTestsWhoseVerdictChanges) {
