@@ -236,7 +236,9 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
   return limits.empty() ? finding : fmt::format("{} The data tell little: {}.", finding, fmt::join(limits, "; "));
 }
 
-std::string answerSentence(const Diagnosis& diagnosis) {
+namespace {
+
+std::string plainAnswer(const Diagnosis& diagnosis) {
   const std::string causes = titlesOf(diagnosis, diagnosis.verdict.names);
   const bool several = diagnosis.verdict.names.size() > 1;
   switch (diagnosis.verdict.kind) {
@@ -254,6 +256,15 @@ std::string answerSentence(const Diagnosis& diagnosis) {
       return "Measurement and simulation differ, and none of the causes that were tried explains it.";
   }
   return "";
+}
+
+}  // namespace
+
+std::string answerSentence(const Diagnosis& diagnosis) {
+  constexpr double kSure = 0.6;  // below, confidenceInWords says "not sure"
+  const std::string answer = plainAnswer(diagnosis);
+  const bool claims = diagnosis.verdict.kind != VerdictKind::kUnknown && diagnosis.verdict.kind != VerdictKind::kNone;
+  return claims && diagnosis.verdict.confidence < kSure ? "Likely, but not sure: " + lowerFirst(answer) : answer;
 }
 
 std::string whereClause(const WhereRow& row) {

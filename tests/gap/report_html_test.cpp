@@ -192,6 +192,9 @@ TEST(GapPage, SaysWhenDataAreSyntheticAndWhenNoSampleCouldBeHeldOut) {
   d.notes = {"The intensity was not measured."};
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("The data tell little: there is one sample only."));
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("The intensity was not measured."));
+  EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("Likely, but not sure")));
+  d.verdict.confidence = 0.5;
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("Likely, but not sure: the measurement shows"));
 }
 
 TEST(GapPage, ListsAcceptanceTestsWhoseVerdictChanges) {
