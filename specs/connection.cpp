@@ -148,8 +148,7 @@ void ProjectStore::Connection::openReadOnly() {
     // The file itself must not change, so a copy in memory is migrated.
     auto copy = std::make_unique<Database>(
         Database{SQLite::Database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE), {}});
-    SQLite::Backup backup(copy->sqlite, database_->sqlite);
-    backup.executeStep(-1);
+    SQLite::Backup(copy->sqlite, database_->sqlite).executeStep(-1);  // gone before the file is closed
     migrate(copy->sqlite, migrationSteps());
     database_ = std::move(copy);
   }

@@ -38,7 +38,8 @@ TEST_F(ProposalsCommand, TheFlipsOfTheReportAreThoseOfTwoAcceptanceRuns) {
   const auto verdicts = [&](const std::string& model) {
     std::map<std::string, std::string> found;
     const auto run = runFidelis({"accept", project, "--model", model, "--json", "-"});
-    for (const json& test : json::parse(run.out).at("tests")) found[test.at("id")] = test.at("verdict");
+    const json result = json::parse(run.out);
+    for (const json& test : result.at("tests")) found[test.at("id")] = test.at("verdict");
     return found;
   };
   const auto before = verdicts(demo.folder() / "model.json");
@@ -47,7 +48,8 @@ TEST_F(ProposalsCommand, TheFlipsOfTheReportAreThoseOfTwoAcceptanceRuns) {
   for (const auto& [id, verdict] : before) {
     if (after.at(id) != verdict && id.find("Fog") != std::string::npos) expected.insert(id);
   }
-  for (const json& flip : core::readJson(report).at("acceptance_flips")) {
+  const json made = core::readJson(report);
+  for (const json& flip : made.at("acceptance_flips")) {
     listed.insert(flip.at("test"));
     EXPECT_EQ(flip.at("before"), before.at(flip.at("test")));
     EXPECT_EQ(flip.at("after"), after.at(flip.at("test")));
