@@ -37,12 +37,12 @@ TEST_F(ExternalModelCommand, NothingIsWrittenIfTheProgramFails) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST_F(ExternalModelCommand, TheDiagnosisRefuses) {
+TEST_F(ExternalModelCommand, NothingIsDiagnosedIfTheProgramReportsNothing) {
   const auto lidar = model(R"("command": ["true"])");
   const auto gap = runFidelis({"gap", sweep_, "--model", lidar, "--json", "-"});
   EXPECT_EQ(gap.status, 2);
   EXPECT_EQ(gap.out, "");
-  EXPECT_THAT(gap.messages, HasSubstr("is not the built-in lidar, which the diagnosis needs"));
+  EXPECT_THAT(gap.messages, HasSubstr("'true' ended well, but did not write measurements/r10.csv"));
 }
 
 }  // namespace
