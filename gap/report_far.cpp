@@ -109,8 +109,8 @@ void addAcceptance(report::Page& page, const Diagnosis& diagnosis) {
   }
   const auto& tests = *diagnosis.acceptance_tests;
   const auto flips = std::count_if(tests.begin(), tests.end(), [](const TwiceJudgedTest& t) { return t.flips(); });
-  page.paragraph(fmt::format("{} of {} acceptance tests of the project judge the proposed model otherwise.", flips,
-                             tests.size()));
+  page.paragraph(
+      fmt::format("{} of {} acceptance tests of the project judge the proposed model otherwise.", flips, tests.size()));
   if (flips == 0) return;
   const auto verdict = [](const std::string& word) {
     return report::badge(word, word == "passed" ? report::Tone::Good : report::Tone::Bad);
