@@ -11,6 +11,7 @@
 #include "app/desktop/cepra_page.h"
 #include "app/desktop/cloud/cloud_page.h"
 #include "app/desktop/colours.h"
+#include "app/desktop/diagnosis/diagnosis_page.h"
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/graph_page.h"
 #include "app/desktop/recent_files.h"
@@ -59,6 +60,8 @@ void MainWindow::makeTabs() {
   tabs_->addTab(spec_, tr("Specification"));
   results_ = new ResultsPage(document_, [this] { return save(); });
   tabs_->addTab(results_, tr("Results"));
+  diagnosis_ = new DiagnosisPage(document_, [this] { return save(); });
+  tabs_->addTab(diagnosis_, tr("Diagnosis"));
   cloud_ = new CloudPage(document_);
   tabs_->addTab(cloud_, tr("Point cloud"));
 }
@@ -78,14 +81,19 @@ void MainWindow::connectPages() {
   };
   connect(graph_, &GraphPage::itemRequested, this, show_item);
   connect(cepra_, &CepraPage::itemRequested, this, show_item);
-  connect(spec_, &SpecPage::rowRequested, this, [this](const QString& key) {
+  const auto show_row = [this](const QString& key) {
     showTab(Relevance);
     cepra_->showRow(key.toStdString());
-  });
-  connect(spec_, &SpecPage::resultRequested, this, [this](const QString& test) {
+  };
+  connect(spec_, &SpecPage::rowRequested, this, show_row);
+  connect(diagnosis_, &DiagnosisPage::rowRequested, this, show_row);
+  connect(diagnosis_, &DiagnosisPage::itemRequested, this, show_item);
+  const auto show_result = [this](const QString& test) {
     showTab(Results);
     results_->showTest(test.toStdString());
-  });
+  };
+  connect(spec_, &SpecPage::resultRequested, this, show_result);
+  connect(diagnosis_, &DiagnosisPage::testRequested, this, show_result);
 }
 
 void MainWindow::showTab(Tab tab) { tabs_->setCurrentIndex(tab); }

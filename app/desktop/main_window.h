@@ -15,6 +15,7 @@ namespace desktop {
 
 class CepraPage;
 class CloudPage;
+class DiagnosisPage;
 class GraphPage;
 class ResultsPage;
 class SpecPage;
@@ -28,7 +29,7 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  enum Tab { Graph, Relevance, Specification, Results, Cloud, TabCount };
+  enum Tab { Graph, Relevance, Specification, Results, Diagnosis, Cloud, TabCount };
 
   /// Shows an error and returns false if the file cannot be opened.
   bool openProject(const std::filesystem::path& file);
@@ -40,6 +41,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] CepraPage& cepraPage() noexcept { return *cepra_; }
   [[nodiscard]] SpecPage& specPage() noexcept { return *spec_; }
   [[nodiscard]] ResultsPage& resultsPage() noexcept { return *results_; }
+  [[nodiscard]] DiagnosisPage& diagnosisPage() noexcept { return *diagnosis_; }
   [[nodiscard]] CloudPage& cloudPage() noexcept { return *cloud_; }
 
  protected:
@@ -76,6 +78,7 @@ class MainWindow final : public QMainWindow {
   CepraPage* cepra_;
   SpecPage* spec_;
   ResultsPage* results_;
+  DiagnosisPage* diagnosis_;
   CloudPage* cloud_;
   QLabel* place_;
   QMenu* recent_menu_ = nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/cli/signature.h"
+#include "proposals/decide.h"
 #include "specs/lists.h"
 #include "specs/shown_id.h"
 
@@ -56,7 +57,11 @@ bool ProjectDocument::changedElsewhere() const { return store_ && store_->dataVe
 
 void ProjectDocument::save() {
   if (!store_) return;
-  specs::applyLists(*store_, {.specification = specification_}, true, app::signatureOf(""));
+  const specs::Signature by = app::signatureOf("");
+  store_->inOneAction([&] {
+    specs::applyLists(*store_, {.specification = specification_}, true, by);
+    for (const specs::Proposal& each : specification_.proposals) store_->decide(each, by);
+  });
   data_version_ = store_->dataVersion();
   undo_stack_.setClean();
 }
@@ -173,6 +178,44 @@ void ProjectDocument::setLinked(const std::string& from, const std::string& to, 
       new EditSpecification(*this, {.linked = {{from, to}}}, tr("link %1").arg(QString::fromStdString(to))));
 }
 
+const specs::Proposal& ProjectDocument::proposal(const std::string& id) const {
+  if (const specs::Proposal* found = specs::findProposal(specification_.proposals, id)) return *found;
+  throw core::InputError(place(id), "there is no such proposal.", "Read the project again.");
+}
+
+std::size_t ProjectDocument::addProposals(const std::vector<specs::Proposal>& proposals) {
+  const auto added = store_->addProposals(proposals, app::signatureOf(""));
+  auto& all = specification_.proposals;
+  all.insert(all.end(), added.begin(), added.end());
+  emit proposalsChanged();
+  return added.size();
+}
+
+void ProjectDocument::acceptProposal(const std::string& id) {
+  const specs::Proposal before = proposal(id);
+  const specs::Signature by = app::signatureOf("");
+  const specs::Proposal decided = proposals::accepted(before, by);
+  const cepra::Row* row = before.test ? nullptr : &proposals::rowFor(before, table());
+  undo_stack_.beginMacro(tr("accept proposal %1").arg(QString::fromStdString(id)));
+  if (row) {
+    cepra::Row after = *row;
+    after.occurrence = proposals::acceptedScore(before, row->occurrence, by.who);
+    editRows({{static_cast<std::size_t>(row - table().rows.data()), *row, after}}, tr("occurrence"));
+  } else {
+    std::vector<std::string> verified = before.requirements;
+    std::erase_if(verified, [&](const std::string& requirement) { return !links_.find(requirement); });
+    addItem(proposals::acceptedTest(before, specification_, by.who), verified,
+            proposals::dataFor(before, specification_));
+  }
+  undo_stack_.push(new DecideProposal(*this, before, decided));
+  undo_stack_.endMacro();
+}
+
+void ProjectDocument::dismissProposal(const std::string& id, const std::string& reason) {
+  const specs::Proposal before = proposal(id);
+  undo_stack_.push(new DecideProposal(*this, before, proposals::dismissed(before, reason, app::signatureOf(""))));
+}
+
 void ProjectDocument::markReviewed(const std::string& from, const std::string& to) {
   undo_stack_.push(new EditSpecification(*this, {.unlinked = {{from, to, true}}, .linked = {{from, to, false}}},
                                          tr("review link to %1").arg(QString::fromStdString(to))));
@@ -216,6 +259,13 @@ void ProjectDocument::apply(const std::vector<RowChange>& changes) {
     rows.push_back(change.row);
   }
   emit rowsChanged(rows);
+}
+
+void ProjectDocument::apply(const specs::Proposal& decided) {
+  for (specs::Proposal& each : specification_.proposals) {
+    if (each.id == decided.id) each = decided;
+  }
+  emit proposalsChanged();
 }
 
 void ProjectDocument::apply(const SpecificationChange& change) {

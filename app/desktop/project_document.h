@@ -62,6 +62,12 @@ class ProjectDocument final : public QObject {
   void removeItem(const std::string& id);
   void setLinked(const std::string& from, const std::string& to, bool linked);  // throws InputError
 
+  /// What a diagnosis proposes is a record, like a verdict: stored at once, not to be undone. Returns how many are new.
+  std::size_t addProposals(const std::vector<specs::Proposal>& proposals);
+  /// A decision is one undo step, with what it writes. Throw InputError if it cannot be taken.
+  void acceptProposal(const std::string& id);
+  void dismissProposal(const std::string& id, const std::string& reason);
+
   /// Somebody has looked at a suspect link.
   void markReviewed(const std::string& from, const std::string& to);
 
@@ -77,6 +83,7 @@ class ProjectDocument final : public QObject {
   /// For undo commands only.
   void apply(const std::vector<RowChange>& changes);
   void apply(const SpecificationChange& change);
+  void apply(const specs::Proposal& proposal);
 
  signals:
   void reset();  ///< everything is new
@@ -84,9 +91,11 @@ class ProjectDocument final : public QObject {
   void itemEdited(const QString& id);  ///< a field of one item, its id the same as before
   void specificationChanged();         ///< items or links came or went
   void verdictsChanged();
+  void proposalsChanged();
   void modifiedChanged(bool modified);
 
  private:
+  [[nodiscard]] const specs::Proposal& proposal(const std::string& id) const;
   [[nodiscard]] core::Place place(const std::string& item) const;
 
   std::optional<specs::ProjectStore> store_;

@@ -26,8 +26,8 @@ void settle(MainWindow& window) {
 void renderTabs(MainWindow& window, const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);  // a failure shows when the first picture is written
-  constexpr const char* kNames[MainWindow::TabCount] = {"graph", "relevance", "specification", "results",
-                                                        "point-cloud"};
+  constexpr const char* kNames[MainWindow::TabCount] = {"graph",   "relevance", "specification",
+                                                        "results", "diagnosis", "point-cloud"};
   window.show();
   for (int tab = 0; tab < MainWindow::TabCount; ++tab) {
     window.showTab(MainWindow::Tab(tab));

@@ -15,6 +15,19 @@ void EditRows::undo() {
 
 void EditRows::redo() { document_.apply(changes_); }
 
+DecideProposal::DecideProposal(ProjectDocument& document, specs::Proposal before, specs::Proposal after)
+    : QUndoCommand(
+          QObject::tr("%1 proposal %2")
+              .arg(after.state == specs::ProposalState::Accepted ? QObject::tr("accept") : QObject::tr("dismiss"),
+                   QString::fromStdString(after.id))),
+      document_(document),
+      before_(std::move(before)),
+      after_(std::move(after)) {}
+
+void DecideProposal::undo() { document_.apply(before_); }
+
+void DecideProposal::redo() { document_.apply(after_); }
+
 EditSpecification::EditSpecification(ProjectDocument& document, SpecificationChange change, const QString& text,
                                      const std::string& field)
     : QUndoCommand(text), document_(document), change_(std::move(change)), field_(field) {}

@@ -6,6 +6,7 @@
 
 #include "app/desktop/any_item.h"
 #include "cepra/table.h"
+#include "specs/proposals.h"
 
 namespace desktop {
 
@@ -38,6 +39,19 @@ class EditRows final : public QUndoCommand {
  private:
   ProjectDocument& document_;
   std::vector<RowChange> changes_;
+};
+
+/// What a person decided about a proposal; what it writes are steps beside this one.
+class DecideProposal final : public QUndoCommand {
+ public:
+  DecideProposal(ProjectDocument& document, specs::Proposal before, specs::Proposal after);
+  void undo() override;
+  void redo() override;
+
+ private:
+  ProjectDocument& document_;
+  specs::Proposal before_;
+  specs::Proposal after_;
 };
 
 /// Items and links. Typing on in the same field of the same item is one step (`field` not empty).

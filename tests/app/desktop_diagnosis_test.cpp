@@ -1,0 +1,205 @@
+// The diagnosis page, on the demo project: a real report, real proposals, decisions that reach the file when saved.
+#include <QApplication>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTest>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+#include "app/desktop/cepra_page.h"
+#include "app/desktop/colours.h"
+#include "app/desktop/diagnosis/diagnosis_page.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/screenshots.h"
+#include "tests/proposals/demo_project.h"
+
+namespace {
+
+using desktop::DiagnosisRunner;
+using desktop::MainWindow;
+
+class DesktopDiagnosis : public testing::Test {
+ protected:
+  void SetUp() override {
+    settings_ = std::make_unique<QSettings>(QString::fromStdString((demo_.folder() / "settings.ini").string()),
+                                            QSettings::IniFormat);
+    window_ = std::make_unique<MainWindow>(*settings_);
+    window_->show();
+    ASSERT_TRUE(window_->openProject(demo_.file()));
+    window_->showTab(MainWindow::Diagnosis);
+  }
+  [[nodiscard]] desktop::DiagnosisPage& page() { return window_->diagnosisPage(); }
+  [[nodiscard]] desktop::ProposalsPanel& panel() { return page().proposals(); }
+  [[nodiscard]] specs::ProjectStore saved() const { return demo_.open(); }
+  void openAndPropose() {
+    ASSERT_TRUE(page().openReport(demo_.report()));
+    QSignalSpy proposed(&page().runner(), &DiagnosisRunner::proposed);
+    page().propose();
+    ASSERT_TRUE(proposed.wait(120'000));
+    ASSERT_EQ(panel().table().rowCount(), 4);
+  }
+  [[nodiscard]] const specs::Proposal& proposal(int row) {
+    return window_->document().specification().proposals.at(std::size_t(row));
+  }
+  [[nodiscard]] cepra::Score occurrence(int row) {
+    return window_->document().table().find(proposal(row).row)->occurrence;
+  }
+
+  test_proposals::DemoProject demo_;
+  std::unique_ptr<QSettings> settings_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(DesktopDiagnosis, WithoutAReportItSaysWhatToDo) {
+  EXPECT_TRUE(page().text().toPlainText().contains("press Diagnose"));
+  EXPECT_EQ(panel().table().rowCount(), 0);
+}
+
+TEST_F(DesktopDiagnosis, AReportShowsVerdictPlacesCausesAndWhatIsLeft) {
+  ASSERT_TRUE(page().openReport(demo_.report()));
+  const QString shown = page().text().toPlainText().simplified();
+  const gap::Diagnosis& diagnosis = test_proposals::DemoProject::diagnosis();
+  EXPECT_TRUE(shown.contains(QString::fromStdString(diagnosis.verdict.text)));
+  for (const gap::Cause& cause : diagnosis.causes) EXPECT_TRUE(shown.contains(QString::fromStdString(cause.name)));
+  for (const char* part : {"visibility_m = ", "range_m: ", "missing echoes", "Synthetic data"}) {
+    EXPECT_TRUE(shown.contains(part)) << part;
+  }
+}
+
+TEST_F(DesktopDiagnosis, TheChosenExperimentIsDiagnosedInTheBackground) {
+  page().experiments().setCurrentIndex(page().experiments().findText("foggy-sweep"));
+  QSignalSpy diagnosed(&page().runner(), &DiagnosisRunner::diagnosed);
+  page().diagnose();
+  ASSERT_TRUE(page().runner().isRunning());
+  ASSERT_TRUE(diagnosed.wait(120'000));
+  const QString shown = page().text().toPlainText();
+  EXPECT_TRUE(shown.contains("atmospheric-attenuation"));
+  EXPECT_TRUE(shown.contains("EchoPulseWidthError_Fog_2")) << "the flips";
+  EXPECT_FALSE(std::filesystem::is_empty(demo_.folder() / "reports"));
+}
+
+TEST_F(DesktopDiagnosis, ACancelledDiagnosisLeavesNothing) {
+  page().experiments().setCurrentIndex(page().experiments().findText("foggy-sweep"));
+  QSignalSpy cancelled(&page().runner(), &DiagnosisRunner::cancelled);
+  page().diagnose();
+  page().cancel();
+  ASSERT_TRUE(cancelled.wait(120'000));
+  EXPECT_FALSE(std::filesystem::exists(demo_.folder() / "reports"));
+}
+
+TEST_F(DesktopDiagnosis, ProposalsAreStoredOnceAtOnce) {
+  openAndPropose();
+  EXPECT_EQ(saved().proposals().size(), 4u);
+  openAndPropose();
+  EXPECT_EQ(saved().proposals().size(), 4u);
+}
+
+TEST_F(DesktopDiagnosis, AcceptingIsOneUndoStepAndReachesTheFileWhenSaved) {
+  openAndPropose();
+  const cepra::Score before = occurrence(0);
+  panel().table().setCurrentCell(0, 0);
+  panel().acceptCurrent();
+  EXPECT_EQ(occurrence(0).value, proposal(0).occurrence);
+  EXPECT_EQ(proposal(0).state, specs::ProposalState::Accepted);
+  EXPECT_TRUE(saved().proposals()[0].isOpen());
+
+  window_->document().undoStack().undo();
+  EXPECT_EQ(occurrence(0), before);
+  EXPECT_TRUE(proposal(0).isOpen());
+  EXPECT_FALSE(window_->isWindowModified());
+
+  window_->document().undoStack().redo();
+  ASSERT_TRUE(window_->save());
+  EXPECT_EQ(saved().proposals()[0].state, specs::ProposalState::Accepted);
+  EXPECT_EQ(saved().cepra().find(proposal(0).row)->occurrence, occurrence(0));
+  EXPECT_EQ(saved().history(proposal(0).row).back().what, "proposal P1 accepted");
+
+  // Undone after saving, and saved again: the file follows.
+  window_->document().undoStack().undo();
+  ASSERT_TRUE(window_->save());
+  EXPECT_TRUE(saved().proposals()[0].isOpen());
+  EXPECT_EQ(saved().cepra().find(proposal(0).row)->occurrence, before);
+}
+
+TEST_F(DesktopDiagnosis, AnAcceptedTestIsAddedWithItsLinks) {
+  openAndPropose();
+  const std::size_t before = saved().all<specs::AcceptanceTest>().size();
+  panel().table().setCurrentCell(3, 0);
+  panel().acceptCurrent();
+  ASSERT_TRUE(window_->save());
+  EXPECT_EQ(saved().all<specs::AcceptanceTest>().size(), before + 1);
+}
+
+TEST_F(DesktopDiagnosis, DismissingWantsAReason) {
+  openAndPropose();
+  panel().table().setCurrentCell(1, 0);
+  QTimer::singleShot(200, [] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) box->accept();
+  });
+  panel().dismissCurrent(" ");
+  EXPECT_TRUE(proposal(1).isOpen());
+  panel().dismissCurrent("denser than any fog here");
+  ASSERT_TRUE(window_->save());
+  EXPECT_EQ(saved().proposals()[1].reason, "denser than any fog here");
+  EXPECT_TRUE(panel().details().toPlainText().contains("denser than any fog here"));
+}
+
+TEST_F(DesktopDiagnosis, ARowThatWasScoredMeanwhileIsAskedAbout) {
+  openAndPropose();
+  auto& model = window_->cepraPage().model();
+  const auto& rows = window_->document().table().rows;
+  const auto row = int(window_->document().table().find(proposal(0).row) - rows.data());
+  ASSERT_TRUE(model.setData(model.index(row, desktop::CepraModel::Occurrence), "2"));
+  panel().table().setCurrentCell(0, 0);
+  EXPECT_TRUE(panel().details().toPlainText().contains("Changed since"));
+  QString asked;
+  QTimer::singleShot(200, [&asked] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      asked = box->text();
+      box->button(QMessageBox::Cancel)->click();
+    }
+  });
+  panel().acceptCurrent();
+  EXPECT_TRUE(asked.contains("is 2")) << asked.toStdString();
+  EXPECT_EQ(occurrence(0).value, 2);
+  EXPECT_TRUE(proposal(0).isOpen());
+}
+
+TEST_F(DesktopDiagnosis, AProposalLeadsToItsRow) {
+  openAndPropose();
+  panel().table().setCurrentCell(0, 0);
+  panel().table().setFocus();
+  QTest::keyClick(&panel().table(), Qt::Key_Return);
+  EXPECT_EQ(window_->findChild<QTabWidget*>("tabs")->currentIndex(), MainWindow::Relevance);
+}
+
+TEST_F(DesktopDiagnosis, AFileThatIsNoReportIsRefusedAndTheOldReportStays) {
+  ASSERT_TRUE(page().openReport(demo_.report()));
+  QTimer::singleShot(200, [] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) box->accept();
+  });
+  EXPECT_FALSE(page().openReport(demo_.folder() / "model.json"));
+  EXPECT_TRUE(page().text().toPlainText().contains("atmospheric-attenuation"));
+}
+
+TEST_F(DesktopDiagnosis, ThePictureOfThePage) {
+  openAndPropose();
+  panel().table().setCurrentCell(0, 0);
+  desktop::settle(*window_);
+  const std::filesystem::path folder = std::filesystem::path(FIDELIS_SCREENSHOTS) / "diagnosis";
+  std::filesystem::create_directories(folder);
+  const auto shoot = [&](const char* name) {
+    desktop::settle(*window_);
+    EXPECT_TRUE(window_->grab().save(QString::fromStdString((folder / name).string())));
+  };
+  shoot("light.png");
+  QApplication::setPalette(desktop::darkPalette());
+  shoot("dark.png");
+  QApplication::setPalette(desktop::lightPalette());
+  window_->resize(1100, 720);
+  panel().table().setCurrentCell(3, 0);
+  shoot("small.png");
+}
+
+}  // namespace
