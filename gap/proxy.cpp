@@ -24,15 +24,11 @@ json completed(const model::Experiment& experiment, const model::LidarModel& for
   if (!keys.contains("effects")) {
     keys["effects"] = {{"beam-divergence", json::object()}, {"pulse-broadening", json::object()}};
   }
+  if (keys.contains("sensor") || keys.contains("sensors")) return keys;
   for (const char* key : {"sensor", "sensors"}) {
-    if (keys.contains("sensor") || keys.contains("sensors") || !experiment.json.contains(key)) continue;
-    if (std::string(key) == "sensor") {
-      keys[key] = model::sensorProfileJson(experiment.json[key], experiment.file, "/sensor");
-      continue;
-    }
-    for (const auto& [name, sensor] : experiment.json[key].items())
-      keys[key][name] = model::sensorProfileJson(sensor, experiment.file, "/sensors/" + name);
+    if (experiment.json.contains(key)) keys[key] = experiment.json[key];
   }
+  model::writeOutSensors(keys, experiment.file);
   return keys;
 }
 
@@ -50,17 +46,16 @@ std::string sentences(const Approximation& a, const model::LidarModel& proxy, bo
   for (const model::ActiveEffect& effect : proxy.effects) effects.push_back(effect.name);
   std::string text = fmt::format(
       "The model under test is not the built-in lidar. What an effect would change was computed in a built-in proxy "
-      "({}; "
-      "{}) and applied to what the model under test reported: an approximation. Proxy and model under test differ by a "
-      "total gap of {} (two simulations of the proxy by {}), the measurement and the model under test by {}.",
+      "({}; {}) and applied to what the model under test reported: an approximation. Proxy and model under test "
+      "differ by a total gap of {} (two simulations of the proxy by {}), the measurement and the model under test "
+      "by {}.",
       a.proxy, effects.empty() ? "no effects" : core::join(effects), core::significant(a.proxy_gap, 3),
       core::significant(a.noise, 3), core::significant(a.gap, 3));
   if (!present) return text;
   if (!a.reliable()) {
     text +=
-        " The proxy is no nearer to the model under test than the measurement is: do not rely upon the causes, and "
-        "give "
-        "a better proxy.";
+        " The proxy is no nearer to the model under test than the measurement is: do not rely upon the causes, "
+        "and give a better proxy.";
   } else if (a.trust() < 1.0) {
     text += fmt::format(" The difference is {:.0f} % of the gap: causes deserve less trust.", 100.0 * a.ratio);
   }

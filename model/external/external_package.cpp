@@ -31,16 +31,6 @@ std::string measurementsOf(const std::string& id, std::set<std::string>& taken) 
   return "measurements/" + name + ".csv";
 }
 
-void writeOutSensors(const Experiment& experiment, json& package) {
-  if (package.contains("sensor")) {
-    package["sensor"] = sensorProfileJson(package["sensor"], experiment.file, "/sensor");
-  }
-  if (!package.contains("sensors")) return;
-  for (auto& [name, sensor] : package["sensors"].items()) {
-    sensor = sensorProfileJson(sensor, experiment.file, "/sensors/" + name);
-  }
-}
-
 }  // namespace
 
 std::string idOf(const Sample& sample, const EpistemicOffsets& offsets) {
@@ -53,7 +43,7 @@ std::string idOf(const Sample& sample, const EpistemicOffsets& offsets) {
 json externalPackage(const Experiment& experiment, std::span<const WantedRun> wanted, std::uint64_t seed) {
   json package = experiment.json;
   package.erase("columns");  // names of the measurement's files
-  writeOutSensors(experiment, package);
+  writeOutSensors(package, experiment.file);
   package["x-seed"] = seed;
   package["samples"] = json::array();
   std::set<std::string> taken, ids;

@@ -148,6 +148,13 @@ nlohmann::json sensorProfileJson(const nlohmann::json& value, const std::filesys
                              ("Known are " + core::join(known) + "; or put the profile itself there."));
 }
 
+void writeOutSensors(nlohmann::json& document, const std::filesystem::path& file) {
+  if (document.contains("sensor")) document["sensor"] = sensorProfileJson(document["sensor"], file, "/sensor");
+  if (!document.contains("sensors")) return;
+  for (auto& [name, sensor] : document["sensors"].items())
+    sensor = sensorProfileJson(sensor, file, "/sensors/" + name);
+}
+
 SensorProfile resolveSensorProfile(const nlohmann::json& value, const std::filesystem::path& file,
                                    const std::string& pointer) {
   const nlohmann::json profile = sensorProfileJson(value, file, pointer);

@@ -76,4 +76,7 @@ struct SensorProfile {
 [[nodiscard]] nlohmann::json sensorProfileJson(const nlohmann::json& value, const std::filesystem::path& file,
                                                const std::string& pointer);
 
+/// Puts the profiles themselves in place of their ids: in `sensor` or `sensors` of a model file or an experiment.
+void writeOutSensors(nlohmann::json& document, const std::filesystem::path& file);
+
 }  // namespace model

@@ -39,15 +39,6 @@ json::json_pointer parsed(const std::string& pointer) {
   }
 }
 
-/// Profiles that the model names are written out, so that their numbers can be varied.
-void writeOutSensors(json& model, const std::filesystem::path& file) {
-  if (model.contains("sensor")) model["sensor"] = model::sensorProfileJson(model["sensor"], file, "/sensor");
-  if (!model.contains("sensors")) return;
-  for (auto& [name, sensor] : model["sensors"].items()) {
-    sensor = model::sensorProfileJson(sensor, file, "/sensors/" + name);
-  }
-}
-
 void checkInModel(const std::string& pointer, const model::LidarModel& model) {
   const json::json_pointer place = parsed(pointer);
   const bool parameter_of_effect = pointer.starts_with("/effects/") && model.json.contains(place.parent_pointer()) &&
@@ -74,7 +65,7 @@ void checkInExperiment(const std::string& pointer, const model::Experiment& expe
 
 VariedModel::VariedModel(model::Experiment experiment, model::LidarModel model, std::vector<std::string> pointers)
     : experiment_(std::move(experiment)), model_(std::move(model)), pointers_(std::move(pointers)) {
-  writeOutSensors(model_.json, model_.file);
+  model::writeOutSensors(model_.json, model_.file);
   for (const std::string& pointer : pointers_) {
     if (isInModel(pointer)) {
       checkInModel(pointer, model_);
