@@ -20,14 +20,7 @@ Background backgroundOf(const Replay& replay, const Split& split, const Decision
 
 std::vector<NamedWorld> worldsOf(const Replay& replay, const Decision& decision, const std::vector<Cause>& causes) {
   std::vector<Candidate> candidates;
-  if (decision.pair()) {
-    auto values = decision.winner->values.begin();
-    for (const Hypothesis& member : decision.winner->hypothesis.members) {
-      const auto end = values + static_cast<std::ptrdiff_t>(member.parameters.size());
-      candidates.push_back({member, {values, end}, 0.0});
-      values = end;
-    }
-  }
+  if (decision.pair()) candidates = membersOf(*decision.winner);
   candidates.insert(candidates.end(), decision.singles.begin(), decision.singles.end());
   std::vector<NamedWorld> worlds;
   for (const Cause& cause : causes) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/parallel.h"
 #include "gap/starts.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -19,8 +21,10 @@ constexpr int kNullRuns = 8;
 constexpr double kPricePerParameter = 0.004;  // of the explained share
 constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
 constexpr std::size_t kScoutedSamples = 4;
-constexpr double kAlmostAsGood = 0.1;   // in merit: no more than the noise of what is excused
-constexpr double kNearlyAsGood = 0.25;  // in merit: farther behind no refinement helps
+constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
+constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
+constexpr double kAlmostAsGood = 0.1;      // in merit: no more than the noise of what is excused
+constexpr double kNearlyAsGood = 0.25;     // in merit: farther behind no refinement helps
 
 Split withRefined(Split split) {
   split.refined = split.fitted;
@@ -28,16 +32,20 @@ Split withRefined(Split split) {
   return split;
 }
 
-Candidate judged(const Judge& judge, const Hypothesis& hypothesis, const std::vector<std::vector<double>>& starts,
-                 const core::Progress& progress) {
-  Candidate candidate;
-  candidate.hypothesis = hypothesis;
-  // Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
-  const Evidence& common = judge.split.fitted;
-  const Evidence fitted = hypothesis.per_setup ? splitByBeams(judge.replay, common.seed).fitted : common;
-  candidate.values = fit(judge.replay, hypothesis, fitted, starts, progress);
-  judge.hear(candidate);
-  return candidate;
+/// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
+  return hypothesis.per_setup ? splitByBeams(judge.replay, judge.split.fitted.seed).fitted : judge.split.fitted;
+}
+
+/// Which hypotheses a coarse search leaves in the race: the best ones, and all that are not far behind.
+std::vector<bool> stillPromising(const std::vector<Scouted>& scouted) {
+  std::vector<double> gains;
+  for (const Scouted& one : scouted) gains.push_back(one.gain);
+  std::sort(gains.begin(), gains.end(), std::greater<>());
+  const double of_last = gains.size() > kAlwaysFitted ? gains[kAlwaysFitted - 1] : -1.0;
+  std::vector<bool> promising;
+  for (const Scouted& one : scouted) promising.push_back(one.gain >= of_last || one.gain >= kFitShare * gains.front());
+  return promising;
 }
 
 /// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
@@ -81,6 +89,18 @@ void sortByMerit(std::vector<Candidate>& candidates) {
 
 double Candidate::merit() const {
   return explained - kPricePerParameter * static_cast<double>(hypothesis.parameters.size());
+}
+
+std::vector<Candidate> membersOf(const Candidate& candidate) {
+  if (candidate.hypothesis.members.empty()) return {candidate};
+  std::vector<Candidate> members;
+  auto values = candidate.values.begin();
+  for (const Hypothesis& hypothesis : candidate.hypothesis.members) {
+    const auto end = values + static_cast<std::ptrdiff_t>(hypothesis.parameters.size());
+    members.push_back({hypothesis, {values, end}, candidate.explained, candidate.discrepancy});
+    values = end;
+  }
+  return members;
 }
 
 double Yardstick::explained(double discrepancy, double self) const {
@@ -128,21 +148,36 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
     runs[begin] = discrepancyIn(replay, world, world, held_out, held_out.seed + 1000 + begin);
   });
-  for (const double run : runs) yardstick.perfect += run / kNullRuns;
-  double squares = 0.0;
-  for (const double run : runs) squares += (run - yardstick.perfect) * (run - yardstick.perfect);
-  yardstick.perfect_spread = std::sqrt(squares / (kNullRuns - 1));
+  const Distribution perfect(runs);
+  yardstick.perfect = perfect.mean;
+  yardstick.perfect_spread = perfect.stddev;
   return yardstick;
 }
 
 std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
                             const std::vector<WhereRow>& where, core::Progress& progress) {
-  std::vector<Candidate> candidates(hypotheses.size());
+  std::vector<Scouted> scouted(hypotheses.size());
   std::atomic<std::size_t> done = 0;
-  core::parallelFor(hypotheses.size(), 1, [&](std::size_t begin, std::size_t) {
-    const Hypothesis& hypothesis = hypotheses[begin];
-    candidates[begin] = judged(judge, hypothesis, startsFrom(judge.replay, hypothesis, where), progress);
-    progress.report(static_cast<double>(++done) / static_cast<double>(hypotheses.size()), "tried " + hypothesis.name);
+  const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
+    progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
+  };
+  core::parallelFor(hypotheses.size(), 1, [&](std::size_t h, std::size_t) {
+    const Hypothesis& hypothesis = hypotheses[h];
+    scouted[h] = scout(judge.replay, hypothesis, fittedFor(judge, hypothesis),
+                       startsFrom(judge.replay, hypothesis, where), progress);
+    report("tried ", hypothesis);
+  });
+  const std::vector<bool> promising = stillPromising(scouted);
+  std::vector<Candidate> candidates(hypotheses.size());
+  core::parallelFor(hypotheses.size(), 1, [&](std::size_t h, std::size_t) {
+    const Hypothesis& hypothesis = hypotheses[h];
+    candidates[h].hypothesis = hypothesis;
+    candidates[h].values = scouted[h].values;
+    if (promising[h])
+      candidates[h].values =
+          fitFrom(judge.replay, hypothesis, fittedFor(judge, hypothesis), scouted[h].values, progress);
+    judge.hear(candidates[h]);
+    report("fitted ", hypothesis);
   });
   sortByMerit(candidates);
   return candidates;

@@ -36,6 +36,9 @@ struct Candidate {
   [[nodiscard]] double merit() const;
 };
 
+/// The members of a pair, each with its own values; a single cause as it is.
+[[nodiscard]] std::vector<Candidate> membersOf(const Candidate& candidate);
+
 /// Discrepancies that candidates are measured against.
 struct Yardstick {
   double baseline = 0.0;  ///< of the model as it was brought, held-out

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/physics.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -18,13 +19,6 @@ namespace {
 constexpr std::size_t kFewForAMedian = 4;
 constexpr double kOutlier = 6.0;       // standard deviations
 constexpr double kNormalMad = 1.4826;  // standard deviation of a normal distribution over its median deviation
-
-/// Reorders the values.
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct Surface {
   std::int32_t object;

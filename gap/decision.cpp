@@ -1,13 +1,12 @@
 #include "gap/decision.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
 
-#include "gap/how_far.h"
 #include "gap/pairs.h"
 #include "gap/significance.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -23,13 +22,12 @@ constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that le
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
 constexpr double kBelief = 0.05;         // difference of merits that costs a factor e of belief
 constexpr double kMostBelief = 0.9;      // other programs' physics differ from ours: docs/diagnosis.md
-constexpr double kProven =
-    6.0;  // standard deviations: chance of 1e-9 each, for a library of sixty causes and heavy tails
-constexpr double kNoRest = 3.0;        // standard deviations: no more is left than under the cause's own noise
-constexpr double kMostSamples = 0.75;  // share of the held-out samples that a small cause must bring nearer
-constexpr double kLeastShrink = 0.05;  // of the total gap: less is nobody's concern
-constexpr double kApart = 1.5;         // standard deviations of the paired difference of two causes
-constexpr double kHopeless = 0.5;      // in merit: rivals farther behind are not looked at
+constexpr double kProven = 6.0;          // standard deviations: for a library of sixty causes, and heavy tails
+constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
+constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
+constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
+constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
+constexpr double kHopeless = 0.5;        // in merit: rivals farther behind are not looked at
 constexpr std::size_t kRivals = 5;
 constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
 
@@ -53,27 +51,12 @@ struct Rest {
   double shrink = 0.0;  ///< 1 - after/before of the total gap, the noise not subtracted
 };
 
-class TotalGaps {
- public:
-  TotalGaps(const Replay& replay, const Split& split)
-      : replay_(replay),
-        split_(split),
-        baseline_(totalOf(replay, replay.baseline(), split.held_out.samples, split.held_out.seed)) {}
-
-  [[nodiscard]] Rest restOf(const Candidate& candidate) const {
-    const World world = worldOf(replay_, candidate.hypothesis, candidate.values);
-    const auto& samples = split_.held_out.samples;
-    const double floor = selfTotalOf(replay_, world, samples, split_.held_out.seed);
-    const double after = totalOf(replay_, world, samples, split_.held_out.seed);
-    return {std::max(0.0, 1.0 - candidate.explained),
-            std::max(0.0, (after - floor) / std::max(1e-9, baseline_ - floor)), shrinkOf(baseline_, after)};
-  }
-
- private:
-  const Replay& replay_;
-  const Split& split_;
-  double baseline_;
-};
+Rest restOf(const Replay& replay, const HeldOutGaps& gaps, const Candidate& candidate) {
+  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+  const double floor = gaps.noiseOf(world), after = gaps.totalIn(world);
+  return {std::max(0.0, 1.0 - candidate.explained),
+          std::max(0.0, (after - floor) / std::max(1e-9, gaps.before().total - floor)), gaps.shrinkTo(after)};
+}
 
 /// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
 /// noise of the explained share.
@@ -82,11 +65,6 @@ bool earnsItsSecond(const Rest& single, const Rest& pair, double noise) {
   const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;
   const bool smaller = pair.total < kTotalGain * single.total;
   return single.total > kMaterialRest && gain > 3.0 * noise && (closer || smaller);
-}
-
-/// Of a normal distribution.
-double tailOf(double z) {
-  return boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -37.0, 37.0)));
 }
 
 /// A gain that no noise of the baseline makes, and nothing left that the cause itself would not leave.
@@ -137,6 +115,16 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
   return confidences;
 }
 
+void Decision::name(const Candidate& candidate, double rest_of_total) {
+  const std::vector<Candidate> members = membersOf(candidate);
+  const bool an_effect = std::any_of(members.begin(), members.end(), [](const Candidate& member) {
+    return member.hypothesis.kind == CauseKind::kEffect;
+  });
+  winner = candidate;
+  kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().hypothesis.kind);
+  left_of_total = rest_of_total;
+}
+
 std::vector<std::string> Decision::names() const {
   if (!winner) return {};
   if (!pair()) return {winner->hypothesis.name};
@@ -148,8 +136,8 @@ std::vector<std::string> Decision::names() const {
   return effects.empty() ? all : effects;
 }
 
-Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::vector<WhereRow>& where,
-                const std::vector<std::string>& library, core::Progress& progress) {
+Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
+                const std::vector<WhereRow>& where, const std::vector<std::string>& library, core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(quick, hypothesesFor(quick.replay, library), where, first);
@@ -157,42 +145,34 @@ Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::v
   if (decision.singles.empty()) return decision;
   const Candidate& best = decision.singles.front();
   const Yardstick& yardstick = exact.yardstick;
-  const double noise =
-      std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);
-  const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
-  const TotalGaps totals(exact.replay, exact.split);
-  const Rest rest = totals.restOf(best);
+  decision.noise = std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);
+  const double enough = std::max(kWeakGap, kExplains - 2.0 * decision.noise);
+  const Rest rest = restOf(exact.replay, gaps, best);
   const Significance significance = significanceOf(exact, best);
-  decision.noise = noise;
-  decision.p_value = std::min(1.0, tailOf(significance.improvement_z) * static_cast<double>(decision.singles.size()));
-  if (!clear) {
+  decision.p_value =
+      std::min(1.0, upperTail(significance.improvement_z) * static_cast<double>(decision.singles.size()));
+  if (!clear && !provesItself(significance, rest)) {
     decision.kind = VerdictKind::kNone;
-    if (!provesItself(significance, rest)) return decision;
+    return decision;
+  }
+  if (clear && rest.total >= kMaterialRest) {
+    std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
+    polish(exact, pairs, where, progress);
+    if (!pairs.empty() && pairs.front().explained >= enough) {
+      const Rest rest_of_pair = restOf(exact.replay, gaps, pairs.front());
+      if (earnsItsSecond(rest, rest_of_pair, decision.noise) && rest_of_pair.total <= kMostRestOfPair &&
+          separation(exact, pairs.front(), best) >= kSecondProven) {
+        decision.name(pairs.front(), rest_of_pair.total);
+        return decision;
+      }
+    }
   }
   // Another program's physics may differ cell by cell and still leave nothing of the gap that anybody would see.
   if (!clear || best.explained >= enough ||
       (best.explained >= kWeakGap && (rest.total < kLittleRest || nothingElse(significance)))) {
-    decision.winner = best;
-    decision.kind = kindOf(best.hypothesis.kind);
-    decision.left_of_total = rest.total;
+    decision.name(best, rest.total);
     decision.ties = tiesOf(exact, decision.singles);
   }
-  if (!clear) return decision;
-  if (rest.total < kMaterialRest) return decision;
-  std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
-  polish(exact, pairs, where, progress);
-  if (pairs.empty() || pairs.front().explained < enough) return decision;
-  const Candidate& pair = pairs.front();
-  const Rest rest_of_pair = totals.restOf(pair);
-  if (!earnsItsSecond(rest, rest_of_pair, noise) || rest_of_pair.total > kMostRestOfPair) return decision;
-  if (separation(exact, pair, best) < kSecondProven) return decision;
-  decision.winner = pair;
-  decision.ties.clear();
-  decision.left_of_total = rest_of_pair.total;
-  const auto& members = pair.hypothesis.members;
-  const bool an_effect =
-      std::any_of(members.begin(), members.end(), [](const Hypothesis& m) { return m.kind == CauseKind::kEffect; });
-  decision.kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().kind);
   return decision;
 }
 

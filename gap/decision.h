@@ -6,6 +6,7 @@
 
 #include "gap/candidates.h"
 #include "gap/diagnosis.h"
+#include "gap/how_far.h"
 
 namespace gap {
 
@@ -20,6 +21,8 @@ struct Decision {
   double p_value = 1.0;             ///< of the best single cause's gain on held-out data, corrected for their number
 
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
+  /// Makes a candidate the winner, which leaves this much of the total gap.
+  void name(const Candidate& candidate, double rest_of_total);
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
   [[nodiscard]] std::vector<std::string> names() const;
 };
@@ -28,8 +31,9 @@ struct Decision {
 /// explain. `quick` sees some of the beams only and makes the choice of candidates; `exact` decides between them.
 /// `clear`: a gap shows before any cause is tried; otherwise a cause must prove by its own gain that there is one.
 /// docs/diagnosis.md gives the reasons for the bounds.
-[[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, bool clear, const std::vector<WhereRow>& where,
-                              const std::vector<std::string>& library, core::Progress& progress);
+[[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
+                              const std::vector<WhereRow>& where, const std::vector<std::string>& library,
+                              core::Progress& progress);
 
 /// Share of belief of each single candidate: a softmax of merits, times what the best one explains; the rest belongs to
 /// what none of them says. `weak`: no whole sample was held out.

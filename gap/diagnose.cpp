@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <chrono>
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "gap/evidence_limits.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
+#include "gap/statistics.h"
 #include "gap/wording.h"
 #include "model/external/external_runs.h"
 
@@ -31,11 +31,7 @@ constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviatio
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
   nlohmann::json json = model.json;
-  if (json.contains("sensor")) json["sensor"] = model::sensorProfileJson(json["sensor"], model.file, "/sensor");
-  if (json.contains("sensors")) {
-    for (auto& [name, value] : json["sensors"].items())
-      value = model::sensorProfileJson(value, model.file, "/sensors/" + name);
-  }
+  model::writeOutSensors(json, model.file);
   return model::parseModel(json, model.file);
 }
 
@@ -61,36 +57,21 @@ Cause toCause(const Candidate& candidate) {
   return cause;
 }
 
-/// The two members of a pair as causes of their own.
-std::vector<Cause> splitPair(const Candidate& pair) {
-  std::vector<Cause> causes;
-  auto values = pair.values.begin();
-  for (const Hypothesis& hypothesis : pair.hypothesis.members) {
-    Candidate member;
-    member.hypothesis = hypothesis;
-    const auto end = values + static_cast<std::ptrdiff_t>(hypothesis.parameters.size());
-    member.values.assign(values, end);
-    values = end;
-    member.explained = pair.explained;
-    causes.push_back(toCause(member));
-  }
-  return causes;
-}
-
-/// The causes that are listed, the verdict's first.
-void fillCauses(const Replay& replay, const Split& split, const Decision& decision, std::uint64_t seed,
-                Diagnosis& diagnosis, const core::Progress& progress) {
+/// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
+void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, Diagnosis& diagnosis,
+                const core::Progress& progress) {
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
-  const bool pooled = replay.samples().front().layout->pooled();
-  const auto confidences = confidencesOf(decision, split.weak || pooled);
-  if (decision.pair()) {
-    diagnosis.causes = splitPair(*decision.winner);
-    for (Cause& cause : diagnosis.causes)
-      cause.confidence = kPairBelief * std::clamp(decision.winner->explained, 0.0, 1.0);
-  }
+  const bool pooled = judge.replay.samples().front().layout->pooled();
+  const auto confidences = confidencesOf(decision, judge.split.weak || pooled);
   std::vector<std::string> listed;
-  for (const Cause& cause : diagnosis.causes) listed.push_back(cause.name);
+  if (decision.pair()) {
+    for (const Candidate& member : membersOf(*decision.winner)) {
+      diagnosis.causes.push_back(toCause(member));
+      diagnosis.causes.back().confidence = kPairBelief * std::clamp(member.explained, 0.0, 1.0);
+      listed.push_back(member.hypothesis.name);
+    }
+  }
   for (std::size_t i = 0; i < decision.singles.size() && diagnosis.causes.size() < kListed; ++i) {
     const Candidate& candidate = decision.singles[i];
     if (std::find(listed.begin(), listed.end(), candidate.hypothesis.name) != listed.end()) continue;
@@ -98,26 +79,26 @@ void fillCauses(const Replay& replay, const Split& split, const Decision& decisi
     listed.push_back(candidate.hypothesis.name);
     diagnosis.causes.push_back(toCause(candidate));
     diagnosis.causes.back().confidence = decision.pair() ? 0.05 * confidences[i] : confidences[i];
-    const bool is_winner = decision.winner && !decision.pair() && i == 0;  // gets its shrink with the interval
+    const bool is_winner = decision.winner && !decision.pair() && i == 0;
     if (is_winner) continue;
-    const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-    diagnosis.causes.back().shrink = howFar(replay, world, split.held_out.samples, seed, progress).shrink;
+    const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
+    diagnosis.causes.back().shrink = gaps.with(world, progress).shrink;
   }
 }
 
 /// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.
-void fillWinner(const Replay& quick, const Split& split, const Decision& decision, const World& after,
-                const BeforeAfter& far, Diagnosis& diagnosis, core::Progress& progress) {
-  diagnosis.after = far.after;
-  diagnosis.shrink = far.shrink;
-  diagnosis.held_out_totals = far.samples;
+void fillWinner(const Judge& quick, const Decision& decision, const World& world, const After& after,
+                Diagnosis& diagnosis, core::Progress& progress) {
+  diagnosis.after = after.gap;
+  diagnosis.shrink = after.shrink;
+  diagnosis.held_out_totals = after.samples;
   progress.report(0.92, "intervals of the parameters");
-  const auto intervals =
-      parameterIntervals(quick, decision.winner->hypothesis, decision.winner->values, split.refined, progress);
+  const auto intervals = parameterIntervals(quick.replay, decision.winner->hypothesis, decision.winner->values,
+                                            quick.split.refined, progress);
   std::size_t used = 0;
   for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) {
     Cause& cause = diagnosis.causes[c];
-    cause.shrink = far.shrink;
+    cause.shrink = after.shrink;
     for (FittedParameter& parameter : cause.parameters) {
       if (used >= intervals.size()) break;
       parameter.interval = intervals[used++];
@@ -125,14 +106,16 @@ void fillWinner(const Replay& quick, const Split& split, const Decision& decisio
   }
   if (diagnosis.approximation) return;  // the model under test has no effects that a file could name
   // Materials and references stand in the experiment; what belongs to the model is proposed even beside them.
-  if (after.model.json != quick.baseline().model.json) {
-    diagnosis.proposed_model = after.model.json;
-    diagnosis.proposed_model["id"] = after.model.id + "-proposed";
+  if (world.model.json != quick.replay.baseline().model.json) {
+    diagnosis.proposed_model = world.model.json;
+    diagnosis.proposed_model["id"] = world.model.id + "-proposed";
   }
 }
 
 /// The fitted or held-out sample at which the two best candidates differ most.
-std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& split, const Decision& decision) {
+std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision& decision) {
+  const Replay& replay = judge.replay;
+  const std::uint64_t seed = judge.split.fitted.seed;
   std::vector<const Candidate*> rivals;
   for (const Candidate& candidate : decision.singles) {
     if (rivals.empty() || candidate.hypothesis.name != rivals.front()->hypothesis.name) rivals.push_back(&candidate);
@@ -145,9 +128,8 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   double largest = -1.0;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const int frames = std::min(8, std::max(3, replay.samples()[s].frames));
-    const auto of_a = replay.simulate(a, s, frames, split.fitted.seed);
-    const double difference =
-        discrepancy(replay, {s, of_a, frames, replay.simulate(b, s, frames, split.fitted.seed), frames});
+    const auto of_a = replay.simulate(a, s, frames, seed);
+    const double difference = discrepancy(replay, {s, of_a, frames, replay.simulate(b, s, frames, seed), frames});
     if (difference > largest) {
       largest = difference;
       best = s;
@@ -157,7 +139,7 @@ std::optional<NextExperiment> nextExperiment(const Replay& replay, const Split& 
   next.separates = {rivals[0]->hypothesis.name, rivals[1]->hypothesis.name};
   next.parameters = replay.samples()[best].sample->parameters;
   next.sample = replay.samples()[best].sample->id;
-  next.predictions = predictionsOf(replay, {replay.baseline(), a, b}, best, split.fitted.seed);
+  next.predictions = predictionsOf(replay, {replay.baseline(), a, b}, best, seed);
   next.text = nextExperimentSentence(next, replay.samples()[best].sample->id);
   return next;
 }
@@ -177,6 +159,36 @@ void heedApproximation(Diagnosis& diagnosis) {
   const double trust = diagnosis.approximation->trust();
   for (Cause& cause : diagnosis.causes) cause.confidence *= trust;
   if (!diagnosis.verdict.names.empty()) diagnosis.verdict.confidence *= trust;
+}
+
+/// Samples judge; or every second beam column of all samples, if the gap shows in held-out samples only, or in the
+/// others only.
+Judge judgeOf(const Replay& replay, std::uint64_t seed) {
+  const Split by_samples = splitOf(replay, seed);
+  const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
+  const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, by_samples.fitted).z();
+  if (std::min(z_held, z_fitted) >= std::min(kClear, std::max(z_held, z_fitted) / kMuchClearer))
+    return {replay, by_samples, yardstick};
+  const Split by_beams = splitByBeams(replay, seed);
+  return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
+}
+
+void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
+  Verdict& verdict = diagnosis.verdict;
+  if (decision.winner) {
+    verdict.names = decision.names();
+    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
+    const double trust = std::clamp(1.2 - decision.left_of_total, 0.3, 1.0);
+    for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
+    verdict.confidence = diagnosis.causes.front().confidence;
+    verdict.indistinguishable_from = decision.ties;
+  } else if (verdict.kind == VerdictKind::kNone) {
+    verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
+  } else {
+    const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
+    verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
+  }
+  verdict.limits = limitsOf(judge.replay, judge.split);
 }
 
 }  // namespace
@@ -208,77 +220,54 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const Replay replay(experiment, model, kMostBeams, foreign);
   std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams, foreign);
   if (!few_beams->thinned()) few_beams.reset();
-  const Replay& quick = few_beams ? *few_beams : replay;
   progress.report(0.05, "comparing with the baseline");
-  Split split = splitOf(replay, seed);
-  Yardstick yardstick = yardstickOf(replay, split.held_out);
-  const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, split.fitted).z();
-  if (std::min(z_held, z_fitted) < std::min(kClear, std::max(z_held, z_fitted) / kMuchClearer)) {
-    // The gap shows in held-out samples only, or in the others only: then beams of all samples judge.
-    split = splitByBeams(replay, seed);
-    yardstick = yardstickOf(replay, split.held_out);
-  }
-  const double z = yardstick.z();
+  const Judge exact = judgeOf(replay, seed);
+  const Judge quick = few_beams ? Judge{*few_beams, exact.split, yardstickOf(*few_beams, exact.split.held_out)} : exact;
+  const std::vector<std::size_t>& held_out = exact.split.held_out.samples;
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
+  const HeldOutGaps gaps(replay, held_out, seed);
 
   Diagnosis diagnosis;
   diagnosis.experiment = experiment.id;
   diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();
   diagnosis.where = where.rows;
-  diagnosis.weak_hold_out = split.weak;
-  for (const std::size_t s : split.held_out.samples) diagnosis.held_out.push_back(replay.samples()[s].sample->id);
-  diagnosis.p_value = boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -37.0, 37.0)));
-  const double total = totalOf(replay, replay.baseline(), split.held_out.samples, seed);
-  const double floor = selfTotalOf(replay, replay.baseline(), split.held_out.samples, seed);
-  const bool material = where.largest_steps >= kMaterialSteps || total > kMaterialTotal * floor;
+  diagnosis.weak_hold_out = exact.split.weak;
+  for (const std::size_t s : held_out) diagnosis.held_out.push_back(replay.samples()[s].sample->id);
+  diagnosis.p_value = upperTail(exact.yardstick.z());
+  diagnosis.before = gaps.before();
+  diagnosis.bias_intervals = gaps.biasIntervals();
+  const bool material =
+      where.largest_steps >= kMaterialSteps || gaps.before().total > kMaterialTotal * gaps.noiseOf(replay.baseline());
   const bool clear = diagnosis.p_value < kSignificance && material;
-  Decision decision = decide({quick, split, few_beams ? yardstickOf(quick, split.held_out) : yardstick},
-                             {replay, split, yardstick}, clear, where.rows, options.library, progress);
-  diagnosis.background = backgroundOf(replay, split, decision);
+  Decision decision = decide(quick, exact, gaps, clear, where.rows, options.library, progress);
+  diagnosis.background = backgroundOf(replay, exact.split, decision);
   progress.report(0.86, "measuring how far the gap shrinks");
-  const World after =
+  const World world =
       decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
-  const BeforeAfter far = howFar(replay, after, split.held_out.samples, seed, progress);
-  diagnosis.before = far.before;
-  diagnosis.bias_intervals = far.bias_intervals;
-  if (decision.winner && far.shrink.fraction <= 0.0) {  // it fits single cells, and the gap is none the smaller for it
+  const After after = gaps.with(world, progress);
+  if (decision.winner &&
+      after.shrink.fraction <= 0.0) {  // it fits single cells, and the gap is none the smaller for it
     decision.winner.reset();
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
   }
   diagnosis.verdict.kind = decision.kind;
   diagnosis.present = decision.kind != VerdictKind::kNone;
-  if (given.external) {
-    diagnosis.approximation = approximationOf(replay, split.held_out.samples, seed, diagnosis.present);
-  }
+  if (given.external) diagnosis.approximation = approximationOf(replay, held_out, seed, diagnosis.present);
   if (!diagnosis.present) decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
-  fillCauses(replay, split, decision, seed, diagnosis, progress);
-  if (decision.winner) fillWinner(quick, split, decision, after, far, diagnosis, progress);
+  fillCauses(exact, gaps, decision, diagnosis, progress);
+  if (decision.winner) fillWinner(quick, decision, world, after, diagnosis, progress);
   diagnosis.maps = residualMaps(replay, where.tables);
-  diagnosis.curves =
-      beforeAfterValues(replay, where.tables, split.held_out.samples, decision.winner ? &after : nullptr, seed);
-  diagnosis.confusion = confusionOf(quick, worldsOf(quick, decision, diagnosis.causes), split.held_out);
-  Verdict& verdict = diagnosis.verdict;
-  if (decision.winner) {
-    verdict.names = decision.names();
-    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
-    const double trust = std::clamp(1.2 - decision.left_of_total, 0.3, 1.0);
-    for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
-    verdict.confidence = diagnosis.causes.front().confidence;
-    if (!decision.pair()) verdict.indistinguishable_from = decision.ties;
-    diagnosis.next_experiment = nextExperiment(replay, split, decision);
-  } else if (verdict.kind == VerdictKind::kNone) {
-    verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
-  } else {
-    const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
-    verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
-  }
-  verdict.limits = limitsOf(replay, split);
+  diagnosis.curves = beforeAfterValues(replay, where.tables, held_out, decision.winner ? &world : nullptr, seed);
+  diagnosis.confusion =
+      confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), exact.split.held_out);
+  fillVerdict(exact, decision, diagnosis);
+  if (decision.winner) diagnosis.next_experiment = nextExperiment(exact, decision);
   diagnosis.notes = notesOn(replay);
   heedApproximation(diagnosis);
   heedLimits(diagnosis);
-  verdict.text = verdictSentence(diagnosis);
+  diagnosis.verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.report(1.0, "done");
   return diagnosis;

@@ -98,7 +98,6 @@ class Objective {
     core::stopIfCancelled(progress_);
     return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_);
   }
-  [[nodiscard]] Objective on(const Evidence& evidence) const { return {replay_, hypothesis_, evidence, progress_}; }
   /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const {
     std::vector<double> steps;
@@ -108,7 +107,6 @@ class Objective {
     return steps;
   }
   [[nodiscard]] std::size_t dimensions() const { return scales_.size(); }
-  [[nodiscard]] const Evidence& evidence() const { return evidence_; }
 
  private:
   const Replay& replay_;
@@ -118,21 +116,23 @@ class Objective {
   std::vector<Scale> scales_;
 };
 
-std::vector<double> coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
-  // A few samples are enough to find the neighbourhood.
-  const int frames = std::min(objective.evidence().most_frames, kCoarseFrames);
-  const Evidence few = spreadOver(objective.evidence(), kCoarseSamples, frames);
-  const Objective quick = objective.on(few);
+/// A few samples are enough to find the neighbourhood.
+Evidence fewOf(const Evidence& evidence) {
+  return spreadOver(evidence, kCoarseSamples, std::min(evidence.most_frames, kCoarseFrames));
+}
+
+struct Point {
+  std::vector<double> unit;
+  double discrepancy = std::numeric_limits<double>::infinity();
+};
+
+Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
-  std::vector<double> best;
-  double best_value = std::numeric_limits<double>::infinity();
+  Point best;
   for (const auto& point : points) {
-    const double value = quick(point);
-    if (value < best_value) {
-      best_value = value;
-      best = point;
-    }
+    const double value = objective(point);
+    if (value < best.discrepancy) best = {point, value};
   }
   return best;
 }
@@ -189,30 +189,23 @@ std::vector<double> searched(const Objective& objective, const std::vector<doubl
   return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
 }
 
-std::vector<double> fitPerSetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                                const core::Progress& progress) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
-    Evidence own = evidence;
-    own.samples.clear();
-    for (const std::size_t s : evidence.samples) {
-      if (replay.samples()[s].sample->setup == hypothesis.parameters[i].name) own.samples.push_back(s);
-    }
-    if (own.samples.empty()) {
-      values.push_back(0.0);
-      continue;
-    }
-    Hypothesis single = hypothesis;
-    single.per_setup = false;
-    single.parameters = {hypothesis.parameters[i]};
-    single.apply = [&hypothesis, i](World& world, const std::vector<double>& value) {
-      std::vector<double> all(hypothesis.parameters.size(), 0.0);
-      all[i] = value[0];
-      hypothesis.apply(world, all);
-    };
-    values.push_back(fit(replay, single, own, {}, progress)[0]);
-  }
-  return values;
+/// The offset of one set-up alone, as a hypothesis with one number.
+Hypothesis alone(const Hypothesis& hypothesis, std::size_t setup) {
+  Hypothesis single = hypothesis;
+  single.per_setup = false;
+  single.parameters = {hypothesis.parameters[setup]};
+  single.apply = [&hypothesis, setup](World& world, const std::vector<double>& value) {
+    std::vector<double> all(hypothesis.parameters.size(), 0.0);
+    all[setup] = value[0];
+    hypothesis.apply(world, all);
+  };
+  return single;
+}
+
+Evidence onSetup(const Replay& replay, const Evidence& evidence, const std::string& setup) {
+  Evidence own = evidence;
+  std::erase_if(own.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup != setup; });
+  return own;
 }
 
 /// How many frames are simulated of a sample.
@@ -236,6 +229,35 @@ double total(const Replay& replay, const World& world, std::vector<Comparison>& 
   double sum = settle(replay, world, comparisons, half);
   for (const Comparison& comparison : comparisons) sum += discrepancy(replay, comparison, half);
   return sum;
+}
+
+Scouted scoutSetups(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                    const core::Progress& progress) {
+  Scouted scouted;
+  double before = 0.0, gone = 0.0;
+  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
+    const Evidence own = onSetup(replay, evidence, hypothesis.parameters[i].name);
+    if (own.samples.empty()) {
+      scouted.values.push_back(0.0);
+      continue;
+    }
+    const Scouted scouted_setup = scout(replay, alone(hypothesis, i), own, {}, progress);
+    const double at_first = discrepancyOf(replay, replay.baseline(), fewOf(own));
+    before += at_first;
+    gone += scouted_setup.gain * at_first;
+    scouted.values.push_back(scouted_setup.values[0]);
+  }
+  scouted.gain = before > 0.0 ? gone / before : 0.0;
+  return scouted;
+}
+
+std::vector<double> fitSetups(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                              std::vector<double> values, const core::Progress& progress) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Evidence own = onSetup(replay, evidence, hypothesis.parameters[i].name);
+    if (!own.samples.empty()) values[i] = fitFrom(replay, alone(hypothesis, i), own, {values[i]}, progress)[0];
+  }
+  return values;
 }
 
 }  // namespace
@@ -275,16 +297,20 @@ double discrepancyIn(const Replay& replay, const World& truth, const World& worl
   return total(replay, world, comparisons, evidence.half);
 }
 
-std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                        const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
-  if (hypothesis.per_setup) return fitPerSetup(replay, hypothesis, evidence, progress);
-  const Objective objective(replay, hypothesis, evidence, progress);
-  if (objective.dimensions() == 0) return {};
+Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+              const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+  if (hypothesis.per_setup) return scoutSetups(replay, hypothesis, evidence, progress);
+  const Evidence few = fewOf(evidence);
+  const double before = discrepancyOf(replay, replay.baseline(), few);
+  const auto gain = [&](double after) { return before > 0.0 ? 1.0 - after / before : 0.0; };
+  const Objective objective(replay, hypothesis, few, progress);
+  if (objective.dimensions() == 0) return {{}, gain(objective({}))};
   std::vector<std::vector<double>> all = starts;
   std::vector<double> typical;
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);
-  return searched(objective, coarseSearch(objective, all), kReach, kFirstStep);
+  const Point best = coarseSearch(objective, all);
+  return {objective.valuesAt(best.unit), gain(best.discrepancy)};
 }
 
 std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -297,6 +323,7 @@ std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, c
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                             const std::vector<double>& start, const core::Progress& progress) {
   if (start.empty()) return start;
+  if (hypothesis.per_setup) return fitSetups(replay, hypothesis, evidence, start, progress);
   const Objective objective(replay, hypothesis, evidence, progress);
   return searched(objective, objective.unitOf(start), kReach, kFirstStep);
 }

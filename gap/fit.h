@@ -31,14 +31,19 @@ struct Evidence {
 /// The world in which a hypothesis holds with these values.
 [[nodiscard]] World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);
 
-/// Finds the parameter values with the smallest discrepancy: a coarse search over the plausible range (and the starts
-/// given), then a bounded derivative-free refinement (NLopt: Subplex; one parameter: Brent). Parameters per set-up are
-/// fitted one by one. Deterministic. The random numbers are the same for all values and hypotheses.
-/// Fits few frames; `refine` makes the result exact.
-[[nodiscard]] std::vector<double> fit(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                                      const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+/// Where a coarse search ended.
+struct Scouted {
+  std::vector<double> values;
+  double gain = 0.0;  ///< share of the baseline's discrepancy that is gone, on the few samples and frames looked at
+};
 
-/// The same without the coarse search: from these values on.
+/// A coarse search over the plausible range (and the starts given) on a few samples. Parameters per set-up are searched
+/// one by one. Deterministic. The random numbers are the same for all values and hypotheses.
+[[nodiscard]] Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                            const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+
+/// The values with the smallest discrepancy near these: a bounded derivative-free search (NLopt: Subplex; one
+/// parameter: Brent). Fits few frames; `refine` makes the result exact.
 [[nodiscard]] std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                           const std::vector<double>& start, const core::Progress& progress);
 

@@ -31,11 +31,6 @@ std::vector<int> resampledFrames(int frames, core::Random& random) {
   return chosen;
 }
 
-struct Pairing {
-  core::Detections before;
-  core::Detections after;
-};
-
 /// Sum of squares of the p-th values about their mean.
 double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
   double mean = 0.0, squares = 0.0;
@@ -46,76 +41,96 @@ double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
 
 }  // namespace
 
-double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
+HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples, std::uint64_t seed)
+    : replay_(replay), samples_(std::move(samples)), seed_(seed), draws_(kResamples) {
+  const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
+  gaps_before_ = gapsTo(baseline);
+  before_ = meanOf(gaps_before_);
+  core::parallelFor(draws_.size(), 1, [&](std::size_t number, std::size_t) {
+    draws_[number] = drawn(number);
+    draws_[number].before = gapOf(draws_[number], baseline);
+  });
+}
 
-double totalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples, std::uint64_t seed) {
+std::vector<core::Detections> HeldOutGaps::simulated(const World& world, std::uint64_t seed) const {
+  std::vector<core::Detections> detections(samples_.size());
+  core::parallelFor(samples_.size(), 1,
+                    [&](std::size_t i, std::size_t) { detections[i] = replay_.detections(world, samples_[i], seed); });
+  return detections;
+}
+
+std::vector<TotalGap> HeldOutGaps::gapsTo(const std::vector<core::Detections>& simulated) const {
   std::vector<TotalGap> gaps;
-  for (const std::size_t s : samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    gaps.push_back(
-        totalGap(replay.experiment().measurands, sample.measured, replay.detections(world, s, seed), sample.frames));
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const ReplaySample& sample = replay_.samples()[samples_[i]];
+    gaps.push_back(totalGap(replay_.experiment().measurands, sample.measured, simulated[i], sample.frames));
+  }
+  return gaps;
+}
+
+double HeldOutGaps::totalIn(const World& world) const { return meanOf(gapsTo(simulated(world, seed_))).total; }
+
+double HeldOutGaps::noiseOf(const World& world) const {
+  const std::vector<core::Detections> one = simulated(world, seed_), other = simulated(world, seed_ + 1);
+  std::vector<TotalGap> gaps;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const int frames = replay_.samples()[samples_[i]].frames;
+    gaps.push_back(totalGap(replay_.experiment().measurands, other[i], one[i], frames));
   }
   return meanOf(gaps).total;
 }
 
-double selfTotalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
-                   std::uint64_t seed) {
-  std::vector<TotalGap> gaps;
-  for (const std::size_t s : samples) {
-    gaps.push_back(totalGap(replay.experiment().measurands, replay.detections(world, s, seed + 1),
-                            replay.detections(world, s, seed), replay.samples()[s].frames));
+double HeldOutGaps::shrinkTo(double after) const { return before_.total > 0.0 ? 1.0 - after / before_.total : 0.0; }
+
+HeldOutGaps::Drawn HeldOutGaps::drawn(std::size_t number) const {
+  core::Random random(
+      {.seed = seed_, .frame = static_cast<std::uint32_t>(number), .purpose = core::purposeOf("bootstrap")});
+  Drawn drawn;
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    drawn.samples.push_back(random.below(static_cast<std::uint32_t>(samples_.size())));
+    drawn.frames.push_back(resampledFrames(replay_.samples()[samples_[drawn.samples.back()]].frames, random));
   }
-  return meanOf(gaps).total;
+  return drawn;
 }
 
-BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
-                   std::uint64_t seed, const core::Progress& progress) {
-  const auto& measurands = replay.experiment().measurands;
-  std::vector<Pairing> pairings(held_out.size());
-  std::vector<TotalGap> gaps_before(held_out.size()), gaps_after(held_out.size());
-  core::parallelFor(held_out.size(), 1, [&](std::size_t i, std::size_t) {
-    const ReplaySample& sample = replay.samples()[held_out[i]];
-    pairings[i] = {replay.detections(replay.baseline(), held_out[i], seed),
-                   replay.detections(after, held_out[i], seed)};
-    gaps_before[i] = totalGap(measurands, sample.measured, pairings[i].before, sample.frames);
-    gaps_after[i] = totalGap(measurands, sample.measured, pairings[i].after, sample.frames);
-  });
-  BeforeAfter result;
-  result.before = meanOf(gaps_before);
-  result.after = meanOf(gaps_after);
-  result.shrink.fraction = shrinkOf(result.before.total, result.after.total);
-  for (std::size_t i = 0; i < held_out.size(); ++i) {
-    const model::Sample& sample = *replay.samples()[held_out[i]].sample;
-    result.samples.push_back({sample.id, sample.setup, gaps_before[i].total, gaps_after[i].total});
+TotalGap HeldOutGaps::gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const {
+  std::vector<TotalGap> gaps;
+  for (std::size_t k = 0; k < drawn.samples.size(); ++k) {
+    const ReplaySample& sample = replay_.samples()[samples_[drawn.samples[k]]];
+    gaps.push_back(totalGap(replay_.experiment().measurands, framesOf(sample.measured, drawn.frames[k]),
+                            simulated[drawn.samples[k]], sample.frames));
   }
+  return meanOf(gaps);
+}
 
-  std::vector<TotalGap> means_before(kResamples), means_after(kResamples);
-  core::parallelFor(kResamples, 1, [&](std::size_t r, std::size_t) {
-    core::stopIfCancelled(progress);
-    core::Random random(
-        {.seed = seed, .frame = static_cast<std::uint32_t>(r), .purpose = core::purposeOf("bootstrap")});
-    std::vector<TotalGap> resampled_before, resampled_after;
-    for (std::size_t k = 0; k < held_out.size(); ++k) {
-      const std::size_t i = random.below(static_cast<std::uint32_t>(held_out.size()));
-      const ReplaySample& sample = replay.samples()[held_out[i]];
-      const auto frames = resampledFrames(sample.frames, random);
-      const core::Detections measured = framesOf(sample.measured, frames);
-      resampled_before.push_back(totalGap(measurands, measured, pairings[i].before, sample.frames));
-      resampled_after.push_back(totalGap(measurands, measured, pairings[i].after, sample.frames));
-    }
-    means_before[r] = meanOf(resampled_before);
-    means_after[r] = meanOf(resampled_after);
-  });
-  std::vector<double> shrinks;
+std::map<std::string, Interval> HeldOutGaps::biasIntervals() const {
   std::map<std::string, std::vector<double>> biases;
-  for (int r = 0; r < kResamples; ++r) {
-    const auto index = static_cast<std::size_t>(r);
-    shrinks.push_back(shrinkOf(means_before[index].total, means_after[index].total));
-    for (const MeasurandGap& m : means_before[index].measurands) biases[m.name].push_back(m.d_bias);
+  for (const Drawn& drawn : draws_) {
+    for (const MeasurandGap& m : drawn.before.measurands) biases[m.name].push_back(m.d_bias);
   }
-  result.shrink.interval = central95(shrinks);
-  for (const auto& [name, values] : biases) result.bias_intervals[name] = central95(values);
-  return result;
+  std::map<std::string, Interval> intervals;
+  for (const auto& [name, values] : biases) intervals[name] = central95(values);
+  return intervals;
+}
+
+After HeldOutGaps::with(const World& world, const core::Progress& progress) const {
+  const std::vector<core::Detections> detections = simulated(world, seed_);
+  const std::vector<TotalGap> gaps = gapsTo(detections);
+  After after;
+  after.gap = meanOf(gaps);
+  after.shrink.fraction = shrinkTo(after.gap.total);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const model::Sample& sample = *replay_.samples()[samples_[i]].sample;
+    after.samples.push_back({sample.id, sample.setup, gaps_before_[i].total, gaps[i].total});
+  }
+  std::vector<double> shrinks(draws_.size());
+  core::parallelFor(draws_.size(), 1, [&](std::size_t d, std::size_t) {
+    core::stopIfCancelled(progress);
+    const double before = draws_[d].before.total;
+    shrinks[d] = before > 0.0 ? 1.0 - gapOf(draws_[d], detections).total / before : 0.0;
+  });
+  after.shrink.interval = central95(shrinks);
+  return after;
 }
 
 std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,

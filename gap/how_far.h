@@ -7,28 +7,49 @@
 
 namespace gap {
 
-/// Mean total gap of a world over some samples.
-[[nodiscard]] double totalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
-                             std::uint64_t seed);
-
-/// The same if the world were right: between two simulations of it.
-[[nodiscard]] double selfTotalOf(const Replay& replay, const World& world, const std::vector<std::size_t>& samples,
-                                 std::uint64_t seed);
-
-/// Shrink of the total gap from what it was before.
-[[nodiscard]] double shrinkOf(double before, double after);
-
-/// The gap on the held-out samples before and after, with a bootstrap over samples (set-ups) and their frames.
-struct BeforeAfter {
-  TotalGap before;
-  TotalGap after;
-  Shrink shrink;
-  std::map<std::string, Interval> bias_intervals;  ///< of the baseline's d_bias
+/// The total gap with a cause added, and how much of it is gone.
+struct After {
+  TotalGap gap;
+  Shrink shrink;  ///< interval: a bootstrap over samples (set-ups) and their frames
   std::vector<SampleTotals> samples;
 };
 
-[[nodiscard]] BeforeAfter howFar(const Replay& replay, const World& after, const std::vector<std::size_t>& held_out,
-                                 std::uint64_t seed, const core::Progress& progress);
+/// The total gap on the held-out samples, without and with a cause. The model as it was brought is simulated once.
+class HeldOutGaps {
+ public:
+  HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples, std::uint64_t seed);
+
+  /// Mean of the samples, of the model as it was brought.
+  [[nodiscard]] const TotalGap& before() const noexcept { return before_; }
+  /// Of its d_bias, per measurand.
+  [[nodiscard]] std::map<std::string, Interval> biasIntervals() const;
+  /// The mean total gap in another world.
+  [[nodiscard]] double totalIn(const World& world) const;
+  /// The same if that world were right: between two simulations of it.
+  [[nodiscard]] double noiseOf(const World& world) const;
+  /// 1 - after / before.
+  [[nodiscard]] double shrinkTo(double after) const;
+  [[nodiscard]] After with(const World& world, const core::Progress& progress) const;
+
+ private:
+  /// One draw of samples and frames, with replacement.
+  struct Drawn {
+    std::vector<std::size_t> samples;      ///< places in `samples_`
+    std::vector<std::vector<int>> frames;  ///< of each
+    TotalGap before;
+  };
+  [[nodiscard]] Drawn drawn(std::size_t number) const;
+  [[nodiscard]] TotalGap gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const;
+  [[nodiscard]] std::vector<core::Detections> simulated(const World& world, std::uint64_t seed) const;
+  [[nodiscard]] std::vector<TotalGap> gapsTo(const std::vector<core::Detections>& simulated) const;
+
+  const Replay& replay_;
+  std::vector<std::size_t> samples_;
+  std::uint64_t seed_;
+  std::vector<TotalGap> gaps_before_;
+  TotalGap before_;
+  std::vector<Drawn> draws_;
+};
 
 /// Jackknife over set-ups: refits the winner without each of them. [parameter order of the hypothesis] Empty with fewer
 /// than two set-ups, and for offsets that belong to one set-up each.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/physics.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -56,9 +57,7 @@ std::vector<double> layerGains(const Replay& replay, const std::string& sensor) 
   for (std::size_t layer = 0; layer < ratios.size(); ++layer) {
     auto& list = ratios[layer];
     if (list.size() < kFewestCells) continue;
-    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
-    std::nth_element(list.begin(), middle, list.end());
-    gains[layer] = std::exp(*middle);
+    gains[layer] = std::exp(medianOf(list));
   }
   return gains;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -10,19 +11,6 @@ namespace {
 
 constexpr std::size_t kRuns = 16;
 constexpr std::uint64_t kFirstSeed = 3000;
-
-struct Distribution {
-  double mean = 0.0;
-  double stddev = 0.0;
-
-  explicit Distribution(const std::vector<double>& values) {
-    for (const double value : values) mean += value / static_cast<double>(values.size());
-    double squares = 0.0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    stddev = std::sqrt(squares / static_cast<double>(values.size() - 1));
-  }
-  [[nodiscard]] double z(double value) const { return (value - mean) / std::max(1e-9, stddev); }
-};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/physics.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -34,12 +35,6 @@ double smallestRangeStep_m(const Replay& replay) {
 struct ExtraEchoes {
   double azimuth_deg, width_deg, range_m;
 };
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
   constexpr std::size_t kFewest = 5;

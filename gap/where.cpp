@@ -1,7 +1,6 @@
 #include "gap/where.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -10,6 +9,7 @@
 #include "core/physics.h"
 #include "gap/discrepancy.h"
 #include "gap/settle.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
@@ -315,8 +315,8 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
       row.share = best.joint.gap / all_gap;
       row.size = best.joint.weight / all_weight;
       const double z = std::abs(best.joint.value) / std::sqrt(std::max(1e-300, best.joint.variance));
-      const double p = 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::min(z, 37.0)));
-      row.p_value = std::min(1.0, p * static_cast<double>(best.tried * covariates.size() * tables.size()));
+      row.p_value =
+          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(best.tried * covariates.size() * tables.size()));
       row.score = best.lift * readability(covariate.name);
       result.push_back(std::move(row));
     }
