@@ -156,7 +156,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     return decision;
   }
   if (clear && rest.total >= kMaterialRest) {
-    std::vector<Candidate> pairs = rankPairs(quick, decision.singles, second);
+    std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     polish(exact, pairs, where, progress);
     if (!pairs.empty() && pairs.front().explained >= enough) {
       const Rest rest_of_pair = restOf(exact.replay, gaps, pairs.front());

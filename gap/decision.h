@@ -15,6 +15,7 @@ struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
   std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
   std::vector<Candidate> singles;   ///< best first
+  std::vector<Candidate> pairs;     ///< those that were tried, best first
   std::vector<std::string> ties;    ///< causes that the data cannot tell from a single winner
   double noise = 0.0;               ///< standard deviation of an explained share
   double left_of_total = 1.0;       ///< of the total gap, beyond what a right model keeps, with the winner added

@@ -242,6 +242,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const bool clear = diagnosis.p_value < kSignificance && material;
   Decision decision = decide(quick, exact, gaps, clear, where.rows, options.library, progress);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
+  if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   progress.report(0.86, "measuring how far the gap shrinks");
   const World world =
       decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();

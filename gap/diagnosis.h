@@ -10,6 +10,7 @@
 #include "gap/hypotheses.h"
 #include "gap/proxy.h"
 #include "gap/total_gap.h"
+#include "gap/tried.h"
 #include "gap/twice_judged_test.h"
 #include "gap/where.h"
 
@@ -141,6 +142,7 @@ struct Diagnosis {
   nlohmann::json proposed_model;          ///< null if the verdict names nothing that a model file can hold
   Confusion confusion;                    ///< of the causes, in their order
   Background background;
+  std::vector<Tried> tried;                                      ///< every hypothesis, if DiagnoseOptions::list_tried
   std::optional<std::vector<TwiceJudgedTest>> acceptance_tests;  ///< of a project, if one was given
   double elapsed_s = 0.0;
 };
@@ -149,6 +151,7 @@ struct DiagnoseOptions {
   std::vector<std::string> library;  ///< effects to consider; empty: all
   std::optional<std::uint64_t> seed;
   std::optional<model::LidarModel> proxy;  ///< stands for a model that is not the built-in lidar (proxy.h)
+  bool list_tried = false;                 ///< fill Diagnosis::tried, which costs some time
 };
 
 /// Diagnoses the gap between the measurements of an experiment package and their re-simulation (docs/diagnosis.md).

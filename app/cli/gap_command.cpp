@@ -26,6 +26,7 @@ struct Options {
   std::string library = "all";
   std::string json;
   std::string html;
+  std::string candidates;
   std::string graph;
   std::string write_model;
   std::string project;
@@ -125,6 +126,9 @@ void addGapCommand(CLI::App& program, Session& session) {
   command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
   command->add_option("--json", options->json, "Write the report here; - for standard output");
   command->add_option("--html", options->html, "Write the report as a self-contained page");
+  command->add_option("--candidates", options->candidates,
+                      "Write every hypothesis that was tried as CSV: how well it explains, fitted values, and what "
+                      "simpler judges say of it");
   command->add_option("--graph", options->graph, "Cause-effect graph (PerCollECT) in which the causes are looked up");
   command->add_option("--write-model", options->write_model, "Write the model with the cause that was found");
   command->add_option("--project", options->project,
@@ -134,6 +138,7 @@ void addGapCommand(CLI::App& program, Session& session) {
       "Examples:\n"
       "  fidelis gap foggy-sweep --model model.json --json report.json --write-model better.json\n"
       "  fidelis gap foggy-sweep --model model.json --project demo.fidelis --json report.json\n"
+      "  fidelis gap foggy-sweep --model model.json --candidates tried.csv    what else was weighed\n"
       "  fidelis cepra propose report.json --project demo.fidelis      what follows for the relevance table");
   command->callback([options, &session] {
     const auto library = libraryOf(options->library);
@@ -144,13 +149,17 @@ void addGapCommand(CLI::App& program, Session& session) {
     std::optional<specs::ProjectStore> project;
     if (!options->project.empty()) project = specs::ProjectStore::open(options->project, specs::Access::ReadOnly);
     if (project && !graph) graph = project->graph();
-    gap::Diagnosis diagnosis =
-        gap::diagnose(experiment, lidar, {.library = library, .seed = session.seed, .proxy = proxyFor(*options, lidar)},
-                      session.progress);
+    gap::Diagnosis diagnosis = gap::diagnose(experiment, lidar,
+                                             {.library = library,
+                                              .seed = session.seed,
+                                              .proxy = proxyFor(*options, lidar),
+                                              .list_tried = !options->candidates.empty()},
+                                             session.progress);
     if (graph) gap::addChains(diagnosis, *graph);
     if (project) {
       diagnosis.acceptance_tests = judgedTests(*project, experiment, lidar, diagnosis, session);
     }
+    if (!options->candidates.empty()) core::writeFile(options->candidates, gap::toCsv(diagnosis.tried));
     if (!options->html.empty()) core::writeFile(options->html, gap::reportHtml(diagnosis));
     if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
     if (options->json != "-") print(diagnosis, session.out);
