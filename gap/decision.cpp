@@ -137,12 +137,16 @@ std::vector<std::string> Decision::names() const {
 }
 
 Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
-                const std::vector<WhereRow>& where, const std::vector<std::string>& library, core::Progress& progress) {
+                const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
+                core::Progress& progress) {
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
-  decision.singles = rank(quick, hypothesesFor(quick.replay, library), where, first);
+  decision.singles = rank(quick, hypotheses, where, first);
   polish(exact, decision.singles, where, progress);
-  if (decision.singles.empty()) return decision;
+  if (decision.singles.empty()) {
+    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
+    return decision;
+  }
   const Candidate& best = decision.singles.front();
   const Yardstick& yardstick = exact.yardstick;
   decision.noise = std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);

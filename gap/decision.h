@@ -33,7 +33,7 @@ struct Decision {
 /// `clear`: a gap shows before any cause is tried; otherwise a cause must prove by its own gain that there is one.
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
-                              const std::vector<WhereRow>& where, const std::vector<std::string>& library,
+                              const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
 /// Share of belief of each single candidate: a softmax of merits, times what the best one explains; the rest belongs to

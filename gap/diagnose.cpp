@@ -163,13 +163,13 @@ void heedApproximation(Diagnosis& diagnosis) {
 
 /// Samples judge; or every second beam column of all samples, if the gap shows in held-out samples only, or in the
 /// others only.
-Judge judgeOf(const Replay& replay, std::uint64_t seed) {
-  const Split by_samples = splitOf(replay, seed);
+Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
+  const Split by_samples = without.applied(splitOf(replay, seed));
   const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
   const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, by_samples.fitted).z();
   if (std::min(z_held, z_fitted) >= std::min(kClear, std::max(z_held, z_fitted) / kMuchClearer))
     return {replay, by_samples, yardstick};
-  const Split by_beams = splitByBeams(replay, seed);
+  const Split by_beams = without.applied(splitByBeams(replay, seed));
   return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
 }
 
@@ -209,10 +209,11 @@ std::string toString(VerdictKind kind) {
   return "";
 }
 
-Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel& given, const DiagnoseOptions& options,
+Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& given, const DiagnoseOptions& options,
                    core::Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t seed = options.seed.value_or(given.seed);
+  const model::Experiment experiment = options.without.applied(recorded);
   model::LidarModel model = withInlineSensor(given.external ? proxyOf(experiment, given, options.proxy) : given);
   model.seed = seed;  // under it a foreign model is what it reported
   const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
@@ -221,7 +222,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
-  const Judge exact = judgeOf(replay, seed);
+  const Judge exact = judgeOf(replay, seed, options.without);
   const Judge quick = few_beams ? Judge{*few_beams, exact.split, yardstickOf(*few_beams, exact.split.held_out)} : exact;
   const std::vector<std::size_t>& held_out = exact.split.held_out.samples;
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
@@ -240,7 +241,8 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   const bool material =
       where.largest_steps >= kMaterialSteps || gaps.before().total > kMaterialTotal * gaps.noiseOf(replay.baseline());
   const bool clear = diagnosis.p_value < kSignificance && material;
-  Decision decision = decide(quick, exact, gaps, clear, where.rows, options.library, progress);
+  const auto hypotheses = options.without.applied(hypothesesFor(quick.replay, options.library));
+  Decision decision = decide(quick, exact, gaps, clear, where.rows, hypotheses, progress);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   progress.report(0.86, "measuring how far the gap shrinks");
@@ -266,6 +268,7 @@ Diagnosis diagnose(const model::Experiment& experiment, const model::LidarModel&
   fillVerdict(exact, decision, diagnosis);
   if (decision.winner) diagnosis.next_experiment = nextExperiment(exact, decision);
   diagnosis.notes = notesOn(replay);
+  if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);
   heedLimits(diagnosis);
   diagnosis.verdict.text = verdictSentence(diagnosis);

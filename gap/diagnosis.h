@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "gap/ablation.h"
 #include "gap/confusion.h"
 #include "gap/hypotheses.h"
 #include "gap/proxy.h"
@@ -152,6 +153,7 @@ struct DiagnoseOptions {
   std::optional<std::uint64_t> seed;
   std::optional<model::LidarModel> proxy;  ///< stands for a model that is not the built-in lidar (proxy.h)
   bool list_tried = false;                 ///< fill Diagnosis::tried, which costs some time
+  Ablation without;                        ///< to see what parts of the diagnosis bring
 };
 
 /// Diagnoses the gap between the measurements of an experiment package and their re-simulation (docs/diagnosis.md).

@@ -24,6 +24,7 @@ struct Options {
   std::string model;
   std::string proxy;
   std::string library = "all";
+  std::string without;
   std::string json;
   std::string html;
   std::string candidates;
@@ -32,14 +33,19 @@ struct Options {
   std::string project;
 };
 
-std::vector<std::string> libraryOf(const std::string& text) {
-  if (text == "all") return {};
+std::vector<std::string> namesIn(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
     names.push_back(core::trimmed(text.substr(at, comma - at)));
     at = comma + 1;
   }
+  return names;
+}
+
+std::vector<std::string> libraryOf(const std::string& text) {
+  if (text == "all") return {};
+  std::vector<std::string> names = namesIn(text);
   std::vector<std::string> known;
   for (const model::EffectEntry& entry : model::allEffects()) known.push_back(entry.info.name);
   for (const std::string& name : names) {
@@ -124,6 +130,9 @@ void addGapCommand(CLI::App& program, Session& session) {
   command->add_option("--model", options->model, "Model file (fidelis-model)")->required();
   command->add_option("--proxy", options->proxy, "Built-in model that stands for one that is a command or a recording");
   command->add_option("--library", options->library, "Effects to consider: all, or names joined by commas");
+  command->add_option("--without", options->without,
+                      "Leave out references, parameters or hold-out (joined by commas), to see what it brings; not for "
+                      "verdicts");
   command->add_option("--json", options->json, "Write the report here; - for standard output");
   command->add_option("--html", options->html, "Write the report as a self-contained page");
   command->add_option("--candidates", options->candidates,
@@ -142,6 +151,9 @@ void addGapCommand(CLI::App& program, Session& session) {
       "  fidelis cepra propose report.json --project demo.fidelis      what follows for the relevance table");
   command->callback([options, &session] {
     const auto library = libraryOf(options->library);
+    const std::vector<std::string> parts =
+        options->without.empty() ? std::vector<std::string>{} : namesIn(options->without);
+    const auto without = gap::Ablation::of(parts);
     const model::Experiment experiment = model::readExperiment(options->experiment);
     const model::LidarModel lidar = model::readModel(options->model);
     std::optional<percollect::Graph> graph;
@@ -153,7 +165,8 @@ void addGapCommand(CLI::App& program, Session& session) {
                                              {.library = library,
                                               .seed = session.seed,
                                               .proxy = proxyFor(*options, lidar),
-                                              .list_tried = !options->candidates.empty()},
+                                              .list_tried = !options->candidates.empty(),
+                                              .without = without},
                                              session.progress);
     if (graph) gap::addChains(diagnosis, *graph);
     if (project) {

@@ -51,4 +51,15 @@ TEST_F(GapCommand, AListThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
   EXPECT_EQ(filesLeft(), 0U);
 }
 
+TEST_F(GapCommand, SaysWhatCanBeLeftOutAndThatNobodyMayRelyOnTheRest) {
+  const ProgramRun known = gap({"--without", "parameters,references"});
+  EXPECT_EQ(known.status, 0) << known.messages;
+  EXPECT_THAT(known.out, HasSubstr("note: Made without references, parameters"));
+  EXPECT_THAT(known.out, testing::Not(HasSubstr("peak_power_w")));
+  const ProgramRun unknown = gap({"--without", "reference"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.messages, HasSubstr("'reference' is no part that can be left out"));
+  EXPECT_THAT(unknown.messages, HasSubstr("references, parameters, hold-out"));
+}
+
 }  // namespace
