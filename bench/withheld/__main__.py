@@ -160,8 +160,8 @@ def run_cases(options, found):
             pass
 
 
-def results_of(found, key):
-    pairs = [(case, run.result_path(home, key, "full")) for home, case in found]
+def results_of(found, key, variant="full"):
+    pairs = [(case, run.result_path(home, key, variant)) for home, case in found]
     return [(case, packages.read(path)) for case, path in pairs if path.exists()]
 
 
@@ -171,12 +171,14 @@ def version():
 
 
 def make_report(options, found):
-    done = results_of(found, run.digest(program(options, "fidelis")))
+    key = run.digest(program(options, "fidelis"))
+    done = results_of(found, key)
     if not done:
         raise UserError("no results of this program\n  Run the cases: scripts/withheld run")
     rows = [score.judge(case, result) for case, result in done]
     homes = {case["id"]: home for home, case in found}
-    trivial = baselines.table(rows, [c for c, _ in done], {c["id"]: r for c, r in done},
+    oracles = {c["id"]: r for c, r in results_of(found, key, "oracle")}
+    trivial = baselines.table(rows, [c for c, _ in done], {c["id"]: r for c, r in done}, oracles,
                               {c["id"]: packages.read(homes[c["id"]] / "experiment" / "experiment.json") for c, _ in done},
                               run.library_names(str(program(options, "fidelis"))))
     generators = ", ".join(f"{sum(r['generator'] == g for r in rows)} {g}" for g in sorted({r["generator"] for r in rows}))
@@ -186,8 +188,10 @@ def make_report(options, found):
     for what, wanted, result in score.table(rows):
         if result["n"]:
             print(f"{what:68} {wanted:14} {report.shown(result):22} n={result['n']}")
-    for name, value in trivial:
-        print(f"  beside it, one effect withheld: {name:30} {'–' if value is None else f'{value:.2f}'}")
+    for judge, by_group in trivial:
+        for group in ("one effect", "all classes"):
+            if by_group.get(group, {}).get("n"):
+                print(f"  beside it: {judge + ', ' + group:60} {report.shown(by_group[group]):22} n={by_group[group]['n']}")
     missing = len(found) - len(done)
     print(f"report: {options.out}/README.md" + (f"; {missing} cases have no result yet" if missing else ""))
 

@@ -3,6 +3,7 @@
 import time
 from pathlib import Path
 
+import baselines
 import packages
 import score
 
@@ -24,24 +25,44 @@ def line_of(row):
     confidence = "–" if row["confidence"] is None else f"{row['confidence']:.2f}"
     found = "+".join(row["found"]) or row["kind"]
     return (f"| {row['id']} | {row['class']} | {'+'.join(row['truth'])} | {row['family']} | {row['severity']:.2g} | "
-            f"{row['kind']}: {found} | {confidence} | {'yes' if row['top3'] else 'no'} |")
+            f"{row['kind']}: {found} | {confidence} | {'yes' if row['top3'] else 'no'} | {'yes' if score.programs_differ(row) else ''} |")
+
+
+def judges_beside(trivial):
+    """Judges down, groups of cases across."""
+    groups = [name for name, _ in baselines.GROUPS if any(name in by_group for _, by_group in trivial)]
+    size = {g: max(by_group[g]["n"] for _, by_group in trivial) for g in groups}
+    lines = ["| judge | " + " | ".join(f"{g} ({size[g]})" for g in groups) + " |", "|-|" + "-|" * len(groups)]
+    for judge, by_group in trivial:
+        lines.append(f"| {judge} | " + " | ".join(counted(by_group[g], size[g]) for g in groups) + " |")
+    close = baselines.too_close(trivial)
+    if close:
+        lines += ["", "Within three points of the diagnosis or beyond: " + ", ".join(close) + ". These cases are too easy, or the diagnosis is idle."]
+    return lines
+
+
+def counted(result, size):
+    return shown(result) + (f", n={result['n']}" if result["n"] not in (0, size) else "")
 
 
 def markdown(rows, trivial, about):
     lines = ["# Withheld causes: what the diagnosis finds", "",
              f"{about['date']}, version {about['version']}, {len(rows)} cases ({about['generators']}), command `{about['command']}`.",
-             "Rates with Wilson 95 % intervals. How cases are made and judged: bench/withheld/README.md.", ""]
+             "Rates with Wilson 95 % intervals. How cases are made and judged: bench/withheld/README.md.",
+             "The two programs *agree* on a case if its true cause at its true values shrinks the gap in the built-in model; where it",
+             "does not, the case measures their difference beside the diagnosis. Rates are given with and without such cases.", ""]
     for name in sorted({r["generator"] for r in rows}):
         part = [r for r in rows if r["generator"] == name]
         lines += [f"## Cases of the {'built-in model' if name == 'own' else 'second generator'} ({len(part)})", "",
                   "| what | wanted | found | n |", "|-|-|-|-|"]
         lines += [f"| {what} | {wanted} | {shown(result)} | {result['n']} |" for what, wanted, result in score.table(part)]
         lines += [""]
-    lines += ["## Beside it: judges that do not think", "", "One effect withheld, right answer first.", "", "| judge | right |", "|-|-|"]
-    lines += [f"| {name} | {'–' if value is None else f'{value:.2f}'} |" for name, value in trivial]
+    lines += ["## Beside it: judges that do not think, and one that knows", "",
+              "Right answer first; number of cases in brackets. What each judge is: bench/withheld/baselines.py.", "", *judges_beside(trivial)]
     lines += ["", "## Per cause", "", "| class | cause | right first | among three | n |", "|-|-|-|-|-|"]
     lines += [f"| {c} | {n} | {shown(first)} | {shown(top)} | {first['n']} |" for c, n, first, top in score.per_name(rows)]
-    lines += ["", "## Cases that went wrong", "", "| case | class | truth | scene | s | said | confidence | among three |", "|-|-|-|-|-|-|-|-|"]
+    lines += ["", "## Cases that went wrong", "", "| case | class | truth | scene | s | said | confidence | among three | programs differ |",
+              "|-|-|-|-|-|-|-|-|-|"]
     lines += [line_of(r) for r in sorted(wrong_cases(rows), key=lambda r: (r["class"], r["name"]))]
     return "\n".join(lines) + "\n"
 
@@ -55,7 +76,7 @@ def write(out, rows, trivial, about, pictures=True):
         "format": "fidelis-withheld-results", "version": 1, **about,
         "table": {name: [{"what": w, "wanted": t, **r} for w, t, r in score.table([x for x in rows if x["generator"] == name])]
                   for name in sorted({r["generator"] for r in rows})},
-        "trivial": dict(trivial), "cases": rows})
+        "judges": [{"judge": name, **by_group} for name, by_group in trivial], "cases": rows})
     (out / "README.md").write_text(markdown(rows, trivial, about))
     if not pictures:
         return []

@@ -4,6 +4,7 @@ The key of a result is a hash of the case's files, the program's bytes and the o
 """
 
 import copy
+import csv
 import hashlib
 import json
 import os
@@ -20,6 +21,7 @@ import severity
 import worlds
 
 KEEP = ("gap", "where", "verdict", "causes", "shrink", "next_experiment", "elapsed_s")
+TRIED = ("kind", "name", "variant")  # of every hypothesis that was tried, beside what baselines.py judges by
 
 
 def digest(*files):
@@ -32,6 +34,26 @@ def digest(*files):
 def library_names(program):
     declared = json.loads(subprocess.run([program, "effects", "--json", "-"], capture_output=True, text=True, check=True).stdout)
     return [e["name"] for e in declared["effects"]]
+
+
+def knows(program, option):
+    """Whether `fidelis gap` has an option: programs of other days are compared, too."""
+    return option in subprocess.run([program, "gap", "--help"], capture_output=True, text=True).stdout
+
+
+def read_tried(path):
+    number = lambda text: float(text) if text else None
+    with open(path, newline="") as lines:
+        return [{k: row[k] for k in TRIED} | {k: number(row[k]) for k in ("explained", "bic", "similarity")} for row in csv.DictReader(lines)]
+
+
+def options_of(variant, case, program):
+    """What `fidelis gap` is called with beside experiment and model."""
+    if variant == "oracle":
+        return ["--library", ",".join(case["truth"]["names"]), "--without", "references,parameters"]
+    if case["without"]:
+        return ["--library", ",".join(n for n in library_names(program) if n not in case["without"])]
+    return []
 
 
 def result_path(home, program_key, variant):
@@ -54,7 +76,7 @@ def limited(command, log, limit_s):
 
 
 def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
-    """The result of a case, run if it is not there. `variant`: full, or oracle (only the true effects in the library).
+    """The result of a case, run if it is not there. `variant`: full, or oracle (nothing is tried but the true effects).
     `elapsed_s` is processor time of one thread."""
     home, program = Path(home), str(Path(bin_folder) / "fidelis")
     case = packages.read(home / "case.json")
@@ -63,13 +85,10 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
         return packages.read(target)
     folder = Path(tempfile.mkdtemp(prefix="withheld-run-"))
     try:
-        library = []
-        if variant == "oracle":
-            library = ["--library", ",".join(case["truth"]["names"])]
-        elif case["without"]:
-            library = ["--library", ",".join(n for n in library_names(program) if n not in case["without"])]
-        command = [program, "--threads", "1", "gap", str(home / "experiment"), "--model", str(home / "model.json"), *library,
-                   "--json", str(folder / "report.json"), "--write-model", str(folder / "better.json")]
+        listed = ["--candidates", str(folder / "tried.csv")] if knows(program, "--candidates") else []
+        command = [program, "--threads", "1", "gap", str(home / "experiment"), "--model", str(home / "model.json"),
+                   *options_of(variant, case, program), *listed, "--json", str(folder / "report.json"),
+                   "--write-model", str(folder / "better.json")]
         result = {"id": case["id"], "variant": variant, "program": program_key, "date": time.strftime("%Y-%m-%d")}
         code, seconds, memory = limited(command, folder / "log", time_limit_s)
         result.update(exit=code, elapsed_s=round(seconds, 2), peak_mib=round(memory))
@@ -80,6 +99,8 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
         else:
             report = packages.read(folder / "report.json")
             result.update(status="done", report={k: report[k] for k in KEEP if k in report})
+            if listed:
+                result["tried"] = read_tried(folder / "tried.csv")
             result["report"]["where"] = result["report"].get("where", [])[:5]
             better = packages.read(folder / "better.json") if (folder / "better.json").exists() else None
             result["actual"] = actual_shrink(home, case, report, better, bin_folder)

@@ -14,6 +14,7 @@ from unittest import mock
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "withheld"))
 
+import baselines
 import build
 import cases
 import chance
@@ -146,9 +147,74 @@ class Rules(unittest.TestCase):
         case = {"id": "0042", "class": "none", "name": "quiet", "family": "street", "generator": "own", "severity": {"value": 0, "bin": None},
                 "truth": truth("none")}
         row = score.judge(case, {"status": "done", "elapsed_s": 1.0, "report": {"verdict": verdict("effect", ["speckle"]), "causes": []}})
-        page = report.markdown([row], [("random", 0.02)], {"date": "d", "version": "v", "command": "c", "generators": "1 own"})
+        page = report.markdown([row], [("random", {"all classes": {"value": 0.02, "interval": None, "n": 1}})], {"date": "d", "version": "v", "command": "c", "generators": "1 own"})
         self.assertIn("| 0042 | none | none |", page)
         self.assertIn("effect: speckle", page)
+
+
+def listed(kind, name="", bic=0.0, similarity=None):
+    return {"kind": kind, "name": name, "variant": "", "explained": 0.0, "bic": bic, "similarity": similarity}
+
+
+def case_of(number, class_name="effect", names=("speckle",), kind="effect", oracle=None, generator="foreign"):
+    told = truth(kind, *names)
+    told["oracle"] = None if oracle is None else {"shrink": oracle}
+    return {"id": number, "class": class_name, "name": "+".join(names), "family": "street", "generator": generator, "without": [],
+            "severity": {"value": 3, "bin": 4}, "truth": told}
+
+
+def result_of(*tried, said=("effect", ["speckle"]), causes=(), actual=None):
+    result = {"status": "done", "elapsed_s": 1.0, "report": {"verdict": verdict(*said), "causes": list(causes)}, "tried": list(tried)}
+    return result if actual is None else {**result, "actual": {"shrink": actual}}
+
+
+class Judges(unittest.TestCase):
+    TRIED = (listed("none", bic=90.0), listed("effect", "speckle", 40.0, 0.2), listed("effect", "range-walk", 50.0, 0.9),
+             listed("parameter", "/sensor/receiver/noise_w", 60.0, -0.5))
+
+    def test_bic_takes_the_smallest_and_the_signature_the_nearest(self):
+        self.assertEqual(baselines.smallest_bic(result_of(*self.TRIED))["names"], ["speckle"])
+        self.assertEqual(baselines.nearest_signature(result_of(*self.TRIED))["names"], ["range-walk"])
+
+    def test_bic_may_say_that_nothing_is_missing(self):
+        self.assertEqual(baselines.smallest_bic(result_of(listed("none", bic=10.0), listed("effect", "speckle", 11.0))), baselines.answer("none", []))
+
+    def test_a_recalibration_beside_an_effect_is_not_named(self):
+        pair = listed("pair", "/sensor/emitter/peak_power_w + speckle", 1.0)
+        self.assertEqual(baselines.smallest_bic(result_of(*self.TRIED, pair)), baselines.answer("effect", ["speckle"]))
+
+    def test_a_program_without_a_list_is_not_held_against_its_judges(self):
+        old = result_of()
+        del old["tried"]
+        self.assertIsNone(baselines.judged(case_of("1"), old, baselines.smallest_bic, "tried"))
+        self.assertFalse(baselines.judged(case_of("1"), {"status": "timeout"}, baselines.smallest_bic, "tried"))
+
+    def test_the_largest_claim_is_right_by_luck_only(self):
+        causes = [{"kind": "effect", "name": "speckle", "shrink": {"fraction": 0.3}}, {"kind": "effect", "name": "a", "shrink": {"fraction": 0.4}}]
+        self.assertEqual(baselines.largest_shrink(result_of(causes=causes))["names"], ["a"])
+        self.assertFalse(score.named_first(truth("none"), baselines.largest_shrink(result_of())))
+
+    def test_the_oracle_is_reached_at_97_hundredths_and_not_asked_where_it_brings_nothing(self):
+        case = case_of("1", oracle=0.5)
+        self.assertTrue(baselines.oracle_reached(case, result_of(actual=0.78), result_of(actual=0.8)))
+        self.assertFalse(baselines.oracle_reached(case, result_of(actual=0.77), result_of(actual=0.8)))
+        self.assertFalse(baselines.oracle_reached(case, result_of(), result_of()))  # 0.5 at the true values was to be had
+        self.assertIsNone(baselines.oracle_reached(case_of("2", oracle=-0.1), result_of(actual=0.2), result_of()))
+        self.assertIsNone(baselines.oracle_reached(case, result_of(actual=0.2), None))
+
+    def test_cases_in_which_two_programs_differ_are_shown_apart_and_counted_in_all(self):
+        made = [case_of("1", oracle=0.9), case_of("2", oracle=-0.2), case_of("3", oracle=-0.2, generator="own"), case_of("4", "none", (), "none")]
+        results = {c["id"]: result_of(*self.TRIED) for c in made}
+        rows = [score.judge(c, results[c["id"]]) for c in made]
+        self.assertEqual([score.programs_differ(r) for r in rows], [False, True, False, False])
+        room = {c["id"]: {"materials": {"a": {}}, "scene": [{}]} for c in made}
+        table = dict(baselines.table(rows, made, results, {}, room, ["speckle", "range-walk"]))
+        sizes = {group: rate["n"] for group, rate in table["this diagnosis"].items()}
+        self.assertEqual((sizes["all classes"], sizes["all classes, programs agree"], sizes["programs differ by more than the cause"]), (4, 3, 1))
+        self.assertEqual(table["BIC, errors taken for independent"]["one effect"]["value"], 1.0)
+        self.assertEqual(table["nearest signature"]["one effect"]["value"], 0.0)
+        self.assertEqual(table["oracle: names the true effect"]["one effect"]["n"], 0)
+        self.assertIn("BIC, errors taken for independent", baselines.too_close(list(table.items())))
 
 
 class EndToEnd(unittest.TestCase):
@@ -167,6 +233,8 @@ class EndToEnd(unittest.TestCase):
             result = run.diagnose(home, os.environ["FIDELIS_BIN"], "key", 300)
             self.assertEqual(result["status"], "done", result.get("message"))
             self.assertEqual(run.diagnose(home, "/nowhere", "key", 1), result)  # the second call reads
+            self.assertEqual(result["tried"][0]["kind"], "none")
+            self.assertIn("range-offset", [t["name"] for t in result["tried"]])
             row = score.judge(case, result)
             self.assertEqual(row["truth"], ["range-offset"])
             self.assertIn(row["kind"], ("none", "effect", "parameter", "reference", "unknown"))
