@@ -76,8 +76,12 @@ std::string escapeMarkup(std::string_view text) {
 std::string shortestNumber(double value) { return fmt::format("{}", value); }
 
 std::string significant(double value, int digits) {
+  constexpr double kReadable = 1e7;  // beyond, nobody counts the zeros
   if (value == 0.0) return "0";
-  return fmt::format("{:.{}g}", value, digits);
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  if (text.find("e+") == std::string::npos) return text;
+  double rounded = 0.0;  // not `value`: 999.6 to three digits is 1e+03
+  return parseNumber(text, rounded) && std::abs(rounded) < kReadable ? fmt::format("{:.0f}", rounded) : text;
 }
 
 std::string trimmed(std::string_view text) {

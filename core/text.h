@@ -21,7 +21,7 @@ namespace core {
 /// Shortest decimal that reads back as the same double; no locale. NaN and infinities as "nan", "inf", "-inf".
 [[nodiscard]] std::string shortestNumber(double value);
 
-/// At most `digits` significant digits, without exponent where it is readable: 0.0123, 12.3, 1.2e-09.
+/// At most `digits` significant digits, without exponent where it is readable: 0.0123, 12.3, 2060, 1.2e-09, 5e+07.
 [[nodiscard]] std::string significant(double value, int digits = 3);
 
 [[nodiscard]] std::string trimmed(std::string_view text);

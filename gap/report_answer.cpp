@@ -155,22 +155,15 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string readable(double value) {
-  const double size = std::abs(value);
-  if (size < 1e4 || size >= 1e7) return core::significant(value);
-  const double step = std::pow(10.0, std::floor(std::log10(size)) - 2.0);
-  return fmt::format("{:.0f}", step * std::round(value / step));
-}
-
 std::string withUnit(double value, const std::string& unit) {
-  if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return readable(1e9 * value) + " nW";
-  return readable(value) + (unit.empty() || unit == "°" ? "" : " ") + unit;
+  if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return core::significant(1e9 * value) + " nW";
+  return core::significant(value) + (unit.empty() || unit == "°" ? "" : " ") + unit;
 }
 
 std::string intervalText(const Interval& interval, const std::string& unit) {
   if (unit == "W" && std::max(std::abs(interval.low), std::abs(interval.high)) < 1e-3)
-    return fmt::format("{} to {} nW", readable(1e9 * interval.low), readable(1e9 * interval.high));
-  return fmt::format("{} to {}", readable(interval.low), withUnit(interval.high, unit));
+    return fmt::format("{} to {} nW", core::significant(1e9 * interval.low), core::significant(1e9 * interval.high));
+  return fmt::format("{} to {}", core::significant(interval.low), withUnit(interval.high, unit));
 }
 
 std::string percentInterval(const Interval& interval) {

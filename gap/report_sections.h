@@ -16,9 +16,7 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis);
 void addNext(report::Page& page, const Diagnosis& diagnosis);
 void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the words used
 
-/// A number to three digits for a reader: "20000", where core::significant says 2e+04.
-[[nodiscard]] std::string readable(double value);
-/// The same with its unit; small powers in nW.
+/// A number to three digits with its unit; small powers in nW.
 [[nodiscard]] std::string withUnit(double value, const std::string& unit);
 /// "0.42 to 0.47 m".
 [[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);

@@ -160,6 +160,16 @@ TEST(GapPage, OfAWrongParameterSaysWhatTheFileSaysAndWhatTheMeasurementAsksFor) 
   EXPECT_THAT(html, HasSubstr("the model says 50 W"));
 }
 
+TEST(GapPage, OfLargeNumbersWritesNoExponent) {
+  gap::Diagnosis d = fogDiagnosis();
+  d.before.total = 2062.4;
+  d.causes[0].parameters[0].value = 2062.4;
+  const std::string html = gap::reportHtml(d);
+  EXPECT_THAT(html, HasSubstr("from 2060 to 0.5"));
+  EXPECT_THAT(html, HasSubstr("2060 m (95 % interval"));
+  EXPECT_THAT(html, Not(HasSubstr("e+0")));
+}
+
 TEST(GapPage, OfWrongReferenceDataNamesTheObjectTheAxisAndEverySetUp) {
   gap::Cause place = causeOf(gap::CauseKind::kReference, "/scene/0/pose/position_m/0", 0.97);
   place.setups["r13"] = {"r13", "m", 0.12, {}, {}, {}};
