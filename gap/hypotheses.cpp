@@ -182,11 +182,12 @@ void addPatterns(const Replay& replay, const std::vector<std::string>& only, std
   }
 }
 
-Hypothesis modelParameter(const std::string& pointer, double recorded, double low, double high, bool logarithmic) {
+/// A number of the model file that is wrong; `value` says its unit, range and what is recorded.
+Hypothesis modelParameter(const std::string& pointer, const FreeParameter& value) {
   Hypothesis hypothesis;
   hypothesis.kind = CauseKind::kParameter;
   hypothesis.name = pointer;
-  hypothesis.parameters = {{"value", "", low, high, logarithmic, recorded}};
+  hypothesis.parameters = {value};
   hypothesis.apply = [pointer](World& world, const std::vector<double>& values) {
     json changed = world.model.json;
     changed[json::json_pointer(pointer)] = values[0];
@@ -198,11 +199,12 @@ Hypothesis modelParameter(const std::string& pointer, double recorded, double lo
 
 void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
   const json& model = replay.baseline().model.json;
-  const auto add = [&](const std::string& pointer, double factor) {
+  const auto add = [&](const std::string& pointer, const char* unit, double factor) {
     const json::json_pointer place(pointer);
     if (!model.contains(place) || !model.at(place).is_number()) return;
     const double value = model.at(place).get<double>();
-    if (value > 0.0) list.push_back(modelParameter(pointer, value, value / factor, value * factor, true));
+    if (value > 0.0)
+      list.push_back(modelParameter(pointer, {"value", unit, value / factor, value * factor, true, value}));
   };
   std::vector<std::string> roots;
   if (model.contains("sensor")) roots.push_back("/sensor");
@@ -210,15 +212,15 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
     for (const auto& item : model["sensors"].items()) roots.push_back("/sensors/" + item.key());
   }
   for (const std::string& root : roots) {
-    add(root + "/emitter/peak_power_w", 4.0);
-    add(root + "/emitter/pulse_fwhm_ns", 3.0);
-    add(root + "/receiver/noise_w", 10.0);
-    add(root + "/receiver/threshold_w", 5.0);
-    add(root + "/detection/range_noise_m", 20.0);
-    add(root + "/detection/epw_noise_m", 20.0);
+    add(root + "/emitter/peak_power_w", "W", 4.0);
+    add(root + "/emitter/pulse_fwhm_ns", "ns", 3.0);
+    add(root + "/receiver/noise_w", "W", 10.0);
+    add(root + "/receiver/threshold_w", "W", 5.0);
+    add(root + "/detection/range_noise_m", "m", 20.0);
+    add(root + "/detection/epw_noise_m", "m", 20.0);
     if (replay.baseline().model.has("beam-divergence")) {
-      add(root + "/emitter/divergence_rad/horizontal", 3.0);
-      add(root + "/emitter/divergence_rad/vertical", 3.0);
+      add(root + "/emitter/divergence_rad/horizontal", "rad", 3.0);
+      add(root + "/emitter/divergence_rad/vertical", "rad", 3.0);
     }
   }
   for (const model::ActiveEffect& effect : replay.baseline().model.effects) {
@@ -227,9 +229,10 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
       const auto info =
           std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
       if (info == parameters.end()) continue;
-      list.push_back(modelParameter("/effects/" + effect.name + "/" + name, value,
-                                    std::max(info->min, value > 0 ? value / 10 : info->min),
-                                    std::min(info->max, value > 0 ? value * 10 : info->max), false));
+      const double low = std::max(info->min, value > 0 ? value / 10 : info->min);
+      const double high = std::min(info->max, value > 0 ? value * 10 : info->max);
+      list.push_back(
+          modelParameter("/effects/" + effect.name + "/" + name, {"value", info->unit, low, high, false, value}));
     }
   }
 }

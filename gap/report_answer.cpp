@@ -46,7 +46,7 @@ std::string strengthText(const Diagnosis& diagnosis) {
     if (!isNamed(diagnosis, cause)) continue;
     std::vector<std::string> numbers;
     for (const FittedParameter& p : cause.parameters) {
-      const std::string unit = unitOf(cause, p);
+      const std::string unit = unitOf(p);
       const std::string recorded = p.recorded ? fmt::format("; the model says {}", withUnit(*p.recorded, unit)) : "";
       numbers.push_back(fittedText(cause, p) + recorded);
     }
@@ -171,7 +171,7 @@ std::string percentInterval(const Interval& interval) {
 }
 
 std::string fittedText(const Cause& cause, const FittedParameter& parameter) {
-  const std::string unit = unitOf(cause, parameter);
+  const std::string unit = unitOf(parameter);
   const std::string interval =
       parameter.interval ? fmt::format(" (95 % interval {})", intervalText(*parameter.interval, unit)) : "";
   return fmt::format("{} {}{}", parameterTitle(cause, parameter), withUnit(parameter.value, unit), interval);

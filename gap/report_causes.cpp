@@ -38,8 +38,8 @@ Html numbersOf(const Cause& cause) {
     first = false;
     cell += report::text(fittedText(cause, p));
     std::string remark;
-    if (p.recorded) remark = fmt::format("recorded {}, ", withUnit(*p.recorded, unitOf(cause, p)));
-    if (p.plausible) remark += "searched " + intervalText(*p.plausible, unitOf(cause, p));
+    if (p.recorded) remark = fmt::format("recorded {}, ", withUnit(*p.recorded, unitOf(p)));
+    if (p.plausible) remark += "searched " + intervalText(*p.plausible, unitOf(p));
     if (!remark.empty())
       cell += lineBreak() + report::rawHtml("<small>") + report::text(remark) + report::rawHtml("</small>");
   }

@@ -40,11 +40,13 @@ Json gapJson(const Diagnosis& diagnosis) {
       {"total", diagnosis.before.total}};
 }
 
+Json toJson(const FittedParameter& p) {
+  return {{"value", p.value}, {"interval", toJson(p.interval)}, {"unit", p.unit}};
+}
+
 Json toJson(const Cause& cause) {
   Json parameters = Json::object();
-  for (const FittedParameter& p : cause.parameters) {
-    parameters[p.name] = {{"value", p.value}, {"interval", toJson(p.interval)}, {"unit", p.unit}};
-  }
+  for (const FittedParameter& p : cause.parameters) parameters[p.name] = toJson(p);
   Json json = {{"kind", toString(cause.kind)},
                {"name", cause.name},
                {"percollect", cause.percollect},
@@ -56,11 +58,7 @@ Json toJson(const Cause& cause) {
   if (!cause.chain_titles.empty()) json["chain_titles"] = cause.chain_titles;
   if (!cause.variant.empty()) json["variant"] = cause.variant;
   if (!cause.sensors.empty()) json["sensors"] = cause.sensors;
-  if (!cause.setups.empty()) {
-    for (const auto& [setup, p] : cause.setups) {
-      json["setups"][setup] = {{"value", p.value}, {"interval", toJson(p.interval)}};
-    }
-  }
+  for (const auto& [setup, p] : cause.setups) json["setups"][setup] = toJson(p);
   return json;
 }
 

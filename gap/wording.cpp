@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <utility>
 
 #include "core/text.h"
 
@@ -148,17 +147,7 @@ std::string parameterTitle(const Cause& cause, const FittedParameter& parameter)
   return cause.kind == CauseKind::kReference ? "true minus recorded" : "value";
 }
 
-std::string unitOf(const Cause& cause, const FittedParameter& parameter) {
-  if (!parameter.unit.empty()) return parameter.unit == "deg" ? "°" : parameter.unit;
-  if (cause.kind != CauseKind::kParameter) return "";
-  static constexpr std::array<std::pair<std::string_view, const char*>, 7> kEndings = {
-      {{"_w", "W"}, {"_ns", "ns"}, {"_m", "m"}, {"_rad", "rad"}, {"_deg", "°"}, {"_mm_h", "mm/h"}, {"_s", "s"}}};
-  if (cause.name.find("divergence_rad/") != std::string::npos) return "rad";
-  for (const auto& [ending, unit] : kEndings) {
-    if (cause.name.ends_with(ending)) return unit;
-  }
-  return "";
-}
+std::string unitOf(const FittedParameter& parameter) { return parameter.unit == "deg" ? "°" : parameter.unit; }
 
 std::string confidenceInWords(double confidence) {
   if (confidence >= 0.95) return "very sure";

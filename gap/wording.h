@@ -34,8 +34,8 @@ namespace gap {
 [[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
 /// What a fitted number means: "meteorological visibility".
 [[nodiscard]] std::string parameterTitle(const Cause& cause, const FittedParameter& parameter);
-/// Its unit, for numbers in a file told by the ending of their names: "W" for "peak_power_w".
-[[nodiscard]] std::string unitOf(const Cause& cause, const FittedParameter& parameter);
+/// Its unit as readers know it: "°" for "deg".
+[[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
 /// "very sure" … "hardly more than a guess".
 [[nodiscard]] std::string confidenceInWords(double confidence);

@@ -151,7 +151,7 @@ TEST(GapPage, OfAnUnknownCauseShowsTheNearestButProposesNothing) {
 
 TEST(GapPage, OfAWrongParameterSaysWhatTheFileSaysAndWhatTheMeasurementAsksFor) {
   gap::Cause power = causeOf(gap::CauseKind::kParameter, "/sensor/emitter/peak_power_w", 0.97);
-  power.parameters = {{"value", "", 44.2, std::nullopt, gap::Interval{12.5, 200.0}, 50.0}};
+  power.parameters = {{"value", "W", 44.2, std::nullopt, gap::Interval{12.5, 200.0}, 50.0}};
   const std::string html = gap::reportHtml(withCause(gap::VerdictKind::kParameter, power));
   expectSoundPage(html);
   EXPECT_THAT(html, HasSubstr("wrong parameter"));
