@@ -160,6 +160,15 @@ void readVerdict(JsonObject json, GapReport& report) {
   report.text = json.textOr("text", "");
 }
 
+gap::Approximation readApproximation(JsonObject json) {
+  return {.proxy = json.textOr("proxy", ""),
+          .proxy_gap = json.numberOr("proxy_gap", 0.0),
+          .noise = json.numberOr("noise", 0.0),
+          .gap = json.numberOr("gap", 0.0),
+          .ratio = json.number("ratio"),
+          .text = json.text("text")};
+}
+
 }  // namespace
 
 double ReportedGap::weight() const {
@@ -193,6 +202,8 @@ GapReport parseGapReport(const nlohmann::json& json, const std::filesystem::path
   readGap(object.object("gap"), report);
   eachOf(object, "where", [&](JsonObject& place) { report.where.push_back(readPlace(place)); });
   readVerdict(object.object("verdict"), report);
+  if (object.has("approximation")) report.approximation = readApproximation(object.object("approximation"));
+  report.notes = object.texts("notes");
   eachOf(object, "causes", [&](JsonObject& cause) { report.causes.push_back(readCause(cause)); });
   if (object.has("shrink")) readShrink(object.object("shrink"), report);
   if (object.has("next_experiment")) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "gap/proxy.h"
+
 namespace proposals {
 
 using Range = std::pair<double, double>;  ///< low, high
@@ -90,6 +92,8 @@ struct GapReport {
   std::vector<std::string> indistinguishable_from;
   double confidence = 0.0;
   std::string text;
+  std::optional<gap::Approximation> approximation;  ///< if the model under test is not the built-in lidar
+  std::vector<std::string> notes;                   ///< what a person should know of the data, sentences
   std::vector<ReportedCause> causes;
   std::optional<double> shrink;
   std::optional<Range> shrink_interval;

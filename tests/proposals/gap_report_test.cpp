@@ -67,6 +67,23 @@ TEST(GapReport, AReportWithoutTheNewerKeysIsReadAndUnknownKeysArePassedOver) {
   EXPECT_TRUE(report.samples.empty());
 }
 
+TEST(GapReport, HoldsWhatIsToBeBorneInMind) {
+  gap::Diagnosis diagnosis = DemoProject::diagnosis();
+  EXPECT_FALSE(parseGapReport(gap::reportJson(diagnosis), "gap.json").approximation);
+  diagnosis.notes = {"epw was left out."};
+  diagnosis.approximation =
+      gap::Approximation{.proxy = "near", .proxy_gap = 4.0, .noise = 1.0, .gap = 3.0, .ratio = 1.5, .text = "Far."};
+  const GapReport report = parseGapReport(gap::reportJson(diagnosis), "gap.json");
+  EXPECT_EQ(report.notes, diagnosis.notes);
+  ASSERT_TRUE(report.approximation);
+  EXPECT_EQ(report.approximation->proxy, "near");
+  EXPECT_EQ(report.approximation->proxy_gap, 4.0);
+  EXPECT_EQ(report.approximation->noise, 1.0);
+  EXPECT_EQ(report.approximation->gap, 3.0);
+  EXPECT_EQ(report.approximation->text, "Far.");
+  EXPECT_FALSE(report.approximation->reliable());
+}
+
 TEST(GapReport, AnotherFileIsRefusedInWords) {
   const test_support::TemporaryFolder folder;
   const auto metric = folder.write("metric.json", R"({"format": "fidelis-metric", "version": 1})");

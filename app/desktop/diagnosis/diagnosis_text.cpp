@@ -85,6 +85,35 @@ QString verdictPart(const GapReport& report, const QPalette& palette) {
   return page;
 }
 
+/// The causes rest on a proxy that says nothing of the model under test.
+bool misleads(const GapReport& report) {
+  return report.present && report.approximation && !report.approximation->reliable();
+}
+
+/// A box that nobody reads past.
+QString warning(const QString& first, const QString& markup, const QPalette& palette) {
+  return QStringLiteral(
+             "<table width='100%' cellspacing='0' cellpadding='10' bgcolor='%1' style='margin:6px 0 6px 0'>"
+             "<tr><td><b>%2</b><br/>%3</td></tr></table>")
+      .arg(tint(palette, accent::kRed, 0.2).name(), first.toHtmlEscaped(), markup);
+}
+
+/// What a reader must know of the data and of the proxy to weigh the verdict.
+QString trustPart(const GapReport& report, const QPalette& palette) {
+  QString page;
+  QStringList sentences;
+  if (misleads(report)) {
+    page += warning(QObject::tr("Do not rely upon the causes"), html::text(report.approximation->text), palette);
+  } else if (report.approximation) {
+    sentences << html::text(report.approximation->text);
+  }
+  for (const std::string& note : report.notes) sentences << html::text(note);
+  if (sentences.isEmpty()) return page;
+  page += html::section(QObject::tr("To bear in mind"), palette);
+  for (const QString& sentence : sentences) page += html::paragraph(sentence);
+  return page;
+}
+
 QString wherePart(const GapReport& report, const QPalette& palette) {
   if (report.where.empty()) return {};
   QString rows = head({QObject::tr("Measurand"), QObject::tr("What"), QObject::tr("Where"),
@@ -178,8 +207,8 @@ QString flipsPart(const GapReport& report, const QPalette& palette) {
 }  // namespace
 
 QString diagnosisText(const GapReport& report, const QPalette& palette) {
-  QString page = verdictPart(report, palette) + wherePart(report, palette) + causesPart(report, palette) +
-                 howFarPart(report, palette) + flipsPart(report, palette);
+  QString page = verdictPart(report, palette) + trustPart(report, palette) + wherePart(report, palette) +
+                 causesPart(report, palette) + howFarPart(report, palette) + flipsPart(report, palette);
   if (!report.next_experiment.empty()) {
     page += title(QObject::tr("What to measure next")) + html::paragraph(html::text(report.next_experiment));
   }

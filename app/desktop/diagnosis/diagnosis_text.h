@@ -7,8 +7,8 @@
 
 namespace desktop {
 
-/// A gap report as rich text: the verdict, where the gap lies, which causes were weighed, how far it shrinks, the
-/// acceptance tests whose verdict flips (links `test:`), the next experiment.
+/// A gap report as rich text: the verdict and what to bear in mind of it, where the gap lies, which causes were
+/// weighed, how far it shrinks, the acceptance tests whose verdict flips (links `test:`), the next experiment.
 [[nodiscard]] QString diagnosisText(const proposals::GapReport& report, const QPalette& palette);
 
 /// What to do where no report is open.
