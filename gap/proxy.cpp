@@ -71,6 +71,17 @@ model::LidarModel proxyOf(const model::Experiment& experiment, const model::Lida
   return proxy;
 }
 
+std::optional<model::LidarModel> chosenProxy(const std::filesystem::path& file, const model::LidarModel& lidar) {
+  if (file.empty()) return std::nullopt;
+  if (!lidar.external) {
+    throw core::InputError({.file = file},
+                           "no proxy is needed: it stands for models that are commands or recordings, and " +
+                               lidar.file.string() + " is the built-in lidar itself.",
+                           "Leave the proxy out.");
+  }
+  return model::readModel(file);
+}
+
 double Approximation::trust() const { return std::clamp(1.1 - ratio, 0.3, 1.0); }
 
 Approximation approximationOf(const Replay& replay, const std::vector<std::size_t>& held_out, std::uint64_t seed,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,11 @@ namespace gap {
 /// broadening. Throws InputError if it is itself not built in.
 [[nodiscard]] model::LidarModel proxyOf(const model::Experiment& experiment, const model::LidarModel& foreign,
                                         const std::optional<model::LidarModel>& given);
+
+/// The built-in model in `file`, which a person names as the proxy of `lidar`; none if `file` is empty. Throws
+/// InputError if `lidar` is built in: nothing needs to stand for it.
+[[nodiscard]] std::optional<model::LidarModel> chosenProxy(const std::filesystem::path& file,
+                                                           const model::LidarModel& lidar);
 
 /// How far a diagnosis of a foreign model rests on its proxy.
 struct Approximation {

@@ -58,17 +58,6 @@ std::vector<std::string> libraryOf(const std::string& text) {
   return names;
 }
 
-std::optional<model::LidarModel> proxyFor(const Options& options, const model::LidarModel& lidar) {
-  if (options.proxy.empty()) return std::nullopt;
-  if (!lidar.external) {
-    throw core::InputError(
-        {.item = "--proxy"},
-        "stands for models that are commands or recordings; " + lidar.file.string() + " is the built-in lidar itself.",
-        "Leave it out.");
-  }
-  return model::readModel(options.proxy);
-}
-
 void printFlips(const std::vector<gap::TwiceJudgedTest>& tests, std::ostream& out) {
   const auto flips = std::count_if(tests.begin(), tests.end(), [](const auto& test) { return test.flips(); });
   out << "  acceptance: with the proposed model " << flips << " of " << tests.size()
@@ -164,7 +153,7 @@ void addGapCommand(CLI::App& program, Session& session) {
     gap::Diagnosis diagnosis = gap::diagnose(experiment, lidar,
                                              {.library = library,
                                               .seed = session.seed,
-                                              .proxy = proxyFor(*options, lidar),
+                                              .proxy = gap::chosenProxy(options->proxy, lidar),
                                               .list_tried = !options->candidates.empty(),
                                               .without = without},
                                              session.progress);

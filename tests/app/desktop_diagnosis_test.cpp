@@ -12,6 +12,8 @@
 #include "app/desktop/diagnosis/diagnosis_page.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/screenshots.h"
+#include "core/json_object.h"
+#include "model/simulate.h"
 #include "tests/proposals/demo_project.h"
 
 namespace {
@@ -39,6 +41,24 @@ class DesktopDiagnosis : public testing::Test {
     ASSERT_TRUE(proposed.wait(120'000));
     ASSERT_EQ(panel().table().rowCount(), 4);
   }
+  /// The demo's report with other keys.
+  [[nodiscard]] std::filesystem::path reportWith(const nlohmann::json& keys) const {
+    nlohmann::json json = core::readJson(demo_.report());
+    json.update(keys);
+    core::writeJson(demo_.folder() / "other.json", json);
+    return demo_.folder() / "other.json";
+  }
+  [[nodiscard]] QString shownText() { return page().text().toPlainText().simplified(); }
+  /// The chosen model becomes one that holds what the demo's model reported.
+  void chooseRecordedModel() {
+    core::SilentProgress progress;
+    model::simulatePackage(model::readExperiment(demo_.folder() / "foggy-sweep"),
+                           model::readModel(demo_.folder() / "model.json"), demo_.folder() / "recording", 99, progress);
+    const auto file = demo_.folder().write(
+        "theirs.json", R"({"format": "fidelis-model", "version": 1, "id": "theirs", "recorded": "recording"})");
+    page().models().insertItem(0, "theirs.json", QString::fromStdString(file.string()));
+    page().models().setCurrentIndex(0);
+  }
   [[nodiscard]] const specs::Proposal& proposal(int row) {
     return window_->document().specification().proposals.at(std::size_t(row));
   }
@@ -65,6 +85,68 @@ TEST_F(DesktopDiagnosis, AReportShowsVerdictPlacesCausesAndWhatIsLeft) {
   for (const char* part : {"visibility_m = ", "range_m: ", "missing echoes", "Synthetic data"}) {
     EXPECT_TRUE(shown.contains(part)) << part;
   }
+}
+
+nlohmann::json approximation(double ratio) {
+  return {{"text", "Proxy and model under test differ."}, {"proxy", "near"}, {"ratio", ratio}};
+}
+
+TEST_F(DesktopDiagnosis, AProxyThatIsFarFromTheModelIsWarnedOfBeforeAnythingThatRestsOnIt) {
+  ASSERT_TRUE(page().openReport(reportWith({{"approximation", approximation(1.4)}})));
+  const auto warning = shownText().indexOf("Do not rely upon the causes");
+  EXPECT_GT(warning, 0);
+  EXPECT_LT(warning, shownText().indexOf("Proxy and model under test differ."));
+  EXPECT_LT(warning, shownText().indexOf("Where do they differ?"));
+}
+
+TEST_F(DesktopDiagnosis, AProxyThatIsNearIsToBeBorneInMindLikeTheNotesOfTheData) {
+  ASSERT_TRUE(page().openReport(
+      reportWith({{"approximation", approximation(0.05)}, {"notes", {"epw was left out.", "r20 is <empty>."}}})));
+  EXPECT_FALSE(shownText().contains("Do not rely"));
+  EXPECT_TRUE(
+      shownText().contains("To bear in mind Proxy and model under test differ. epw was left out. r20 is <empty>."))
+      << shownText().toStdString();
+}
+
+TEST_F(DesktopDiagnosis, AReportWithoutNotesHasNothingToBearInMind) {
+  ASSERT_TRUE(page().openReport(reportWith({{"notes", nlohmann::json::array()}})));
+  EXPECT_FALSE(shownText().contains("To bear in mind"));
+}
+
+TEST_F(DesktopDiagnosis, AProxyIsAskedForWhereTheModelIsNotTheBuiltInLidar) {
+  page().models().setCurrentIndex(page().models().findText("model.json"));
+  EXPECT_FALSE(page().proxies().isVisible());
+  chooseRecordedModel();
+  EXPECT_TRUE(page().proxies().isVisible());
+  EXPECT_EQ(page().proxies().currentText(), "Default");
+
+  page().experiments().setCurrentIndex(page().experiments().findText("foggy-sweep"));
+  page().proxies().setCurrentIndex(page().proxies().findText("model.json"));
+  QSignalSpy diagnosed(&page().runner(), &DiagnosisRunner::diagnosed);
+  page().diagnose();
+  ASSERT_TRUE(diagnosed.wait(120'000));
+  EXPECT_TRUE(shownText().contains("computed in a built-in proxy (demo-lidar;")) << shownText().toStdString();
+}
+
+TEST_F(DesktopDiagnosis, AProxyOfTheBuiltInLidarIsRefusedInWords) {
+  QString told;
+  QTimer closer;
+  QObject::connect(&closer, &QTimer::timeout, [&told] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    told = box->text() + box->informativeText();
+    box->accept();
+  });
+  closer.start(50);
+  QSignalSpy failed(&page().runner(), &DiagnosisRunner::failed);
+  page().runner().diagnose({.experiment = demo_.folder() / "foggy-sweep",
+                            .model = demo_.folder() / "model.json",
+                            .proxy = demo_.folder() / "model.json",
+                            .project = demo_.file(),
+                            .report = demo_.folder() / "reports" / "none.json"});
+  ASSERT_TRUE(failed.wait(120'000) || failed.count() == 1);
+  EXPECT_TRUE(told.contains("No proxy is needed")) << told.toStdString();
+  EXPECT_FALSE(std::filesystem::exists(demo_.folder() / "reports"));
 }
 
 TEST_F(DesktopDiagnosis, TheChosenExperimentIsDiagnosedInTheBackground) {
@@ -200,6 +282,19 @@ TEST_F(DesktopDiagnosis, ThePictureOfThePage) {
   window_->resize(1100, 720);
   panel().table().setCurrentCell(3, 0);
   shoot("small.png");
+  nlohmann::json far = approximation(1.4);
+  far["text"] =
+      "The model under test is not the built-in lidar. What an effect would change was computed in a built-in proxy: "
+      "an "
+      "approximation. Proxy and model under test differ by a total gap of 14.2, the measurement and the model under "
+      "test "
+      "by 11.3. The proxy is no nearer to the model under test than the measurement is: do not rely upon the causes, "
+      "and "
+      "give a better proxy.";
+  chooseRecordedModel();
+  ASSERT_TRUE(page().openReport(
+      reportWith({{"approximation", far}, {"notes", {"Intensity was left out: sample r20 lacks its column."}}})));
+  shoot("proxy.png");
 }
 
 }  // namespace

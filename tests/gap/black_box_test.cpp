@@ -111,6 +111,17 @@ TEST_F(BlackBox, ARecordingCannotBeAProxy) {
   EXPECT_NE(thrownMessage([&] { (void)diagnosed(experiment, theirs, theirs); }).find("a proxy"), std::string::npos);
 }
 
+TEST_F(BlackBox, AProxyIsReadForAModelThatIsNotOursAndRefusedForTheBuiltInLidar) {
+  const auto file = world_.folder().write("near.json", plain().json.dump());
+  const auto theirs = model::parseModel(
+      {{"format", "fidelis-model"}, {"version", 1}, {"id", "theirs"}, {"recorded", "r"}}, "theirs.json");
+  EXPECT_FALSE(gap::chosenProxy("", theirs));
+  EXPECT_EQ(gap::chosenProxy(file, theirs)->id, plain().id);
+  const std::string refusal = thrownMessage([&] { (void)gap::chosenProxy(file, plain()); });
+  EXPECT_NE(refusal.find("near.json: no proxy is needed"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("is the built-in lidar itself"), std::string::npos) << refusal;
+}
+
 TEST_F(BlackBox, AProxyOfAnotherKindThanAModelFileIsRefusedWithItsPlace) {
   const json file = {{"format", "fidelis-model"}, {"version", 1}, {"id", "t"}, {"recorded", "r"}, {"proxy", 3}};
   EXPECT_NE(thrownMessage([&] { (void)model::parseModel(file, "t.json"); }).find("/proxy"), std::string::npos);

@@ -51,6 +51,15 @@ std::filesystem::path chosen(const QComboBox* list) {
   return data == kOther ? std::filesystem::path() : std::filesystem::path(data.toStdString());
 }
 
+/// Whether a model is a command or a recording; a file that cannot be read is complained of when it is diagnosed.
+bool isForeign(const std::filesystem::path& model) {
+  try {
+    return !model.empty() && model::readModel(model).external;
+  } catch (const core::InputError&) {
+    return false;
+  }
+}
+
 /// A file name from a time: "gap-2026-01-02T030405Z.json".
 std::string reportName() {
   std::string when = app::signatureOf("").when;
@@ -102,6 +111,9 @@ QWidget* DiagnosisPage::makeBar() {
   layout->setContentsMargins(8, 6, 8, 6);
   experiments_ = fileList(tr("Experiment"), tr("Experiments of the project's acceptance tests, or another"));
   models_ = fileList(tr("Model"), tr("Models of the project's acceptance tests, or another"));
+  proxies_ = fileList(tr("Proxy"),
+                      tr("The built-in model in which effects are switched and fitted, for one that is a command or a "
+                         "recording.\nDefault: what its file names as proxy, or the experiment's sensor"));
   diagnose_ = button(tr("Diagnose"),
                      tr("Where does the simulation differ, which cause explains it, how far does the gap shrink?"));
   open_ = button(tr("Open report…"), tr("A report that 'fidelis gap --json' wrote"));
@@ -116,8 +128,11 @@ QWidget* DiagnosisPage::makeBar() {
   experiment_label->setBuddy(experiments_);
   auto* model_label = new QLabel(tr("&Model"));
   model_label->setBuddy(models_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{experiment_label, experiments_, model_label, models_,
-                                                         diagnose_, open_, cancel_, progress_, doing_}) {
+  proxy_label_ = new QLabel(tr("Pro&xy"));
+  proxy_label_->setBuddy(proxies_);
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{experiment_label, experiments_, model_label, models_, proxy_label_, proxies_,
+                                       diagnose_, open_, cancel_, progress_, doing_}) {
     layout->addWidget(widget);
   }
   layout->addStretch(1);
@@ -127,6 +142,9 @@ QWidget* DiagnosisPage::makeBar() {
   });
   connect(models_, &QComboBox::activated, this,
           [this] { chooseFrom(models_, tr("Choose a model"), tr("Models (*.json);;All files (*)")); });
+  connect(models_, &QComboBox::currentIndexChanged, this, &DiagnosisPage::showProxies);
+  connect(proxies_, &QComboBox::activated, this,
+          [this] { chooseFrom(proxies_, tr("Choose a proxy"), tr("Models (*.json);;All files (*)")); });
   connect(diagnose_, &QToolButton::clicked, this, &DiagnosisPage::diagnose);
   connect(open_, &QToolButton::clicked, this, &DiagnosisPage::askAndOpen);
   connect(propose_, &QToolButton::clicked, this, &DiagnosisPage::propose);
@@ -158,8 +176,9 @@ void DiagnosisPage::connectRunner() {
 }
 
 void DiagnosisPage::offerFilesOfProject() {
-  for (QComboBox* list : {experiments_, models_}) {
+  for (QComboBox* list : {experiments_, models_, proxies_}) {
     list->clear();
+    if (list == proxies_) list->addItem(tr("Default"), QString());
     list->addItem(tr("Choose…"), kOther);
   }
   const auto& tests = document_.specification().tests;
@@ -179,9 +198,21 @@ void DiagnosisPage::offerFilesOfProject() {
       offer(models_, model, QString::fromStdString(model.filename().string()));
     }
   }
+  for (int i = 0; i < models_->count(); ++i) {
+    const std::filesystem::path model = models_->itemData(i).toString().toStdString();
+    if (model != kOther && !isForeign(model)) offer(proxies_, model, models_->itemText(i));
+  }
   experiments_->setCurrentIndex(std::max(first, 0));
   models_->setCurrentIndex(0);
+  proxies_->setCurrentIndex(0);
+  showProxies();
   showBusy(runner_.isRunning());
+}
+
+void DiagnosisPage::showProxies() {
+  const bool foreign = isForeign(chosen(models_));
+  proxy_label_->setVisible(foreign);
+  proxies_->setVisible(foreign);
 }
 
 void DiagnosisPage::chooseFrom(QComboBox* list, const QString& title, const QString& filter) {
@@ -218,6 +249,7 @@ void DiagnosisPage::diagnose() {
   showBusy(true);
   runner_.diagnose({.experiment = chosen(experiments_),
                     .model = chosen(models_),
+                    .proxy = proxies_->isHidden() ? std::filesystem::path() : chosen(proxies_),
                     .project = running_on_,
                     .report = document_.folder() / "reports" / reportName()});
 }

@@ -32,6 +32,7 @@ class DiagnosisPage final : public QWidget {
   [[nodiscard]] QTextBrowser& text() { return *text_; }
   [[nodiscard]] QComboBox& experiments() { return *experiments_; }
   [[nodiscard]] QComboBox& models() { return *models_; }
+  [[nodiscard]] QComboBox& proxies() { return *proxies_; }
 
  signals:
   void rowRequested(const QString& key);
@@ -46,6 +47,8 @@ class DiagnosisPage final : public QWidget {
   void connectRunner();
   void offerFilesOfProject();
   void chooseFrom(QComboBox* list, const QString& title, const QString& filter);
+  /// Only a model that is a command or a recording needs a proxy.
+  void showProxies();
   void askAndOpen();
   void showReport();
   void showBusy(bool busy);
@@ -58,6 +61,8 @@ class DiagnosisPage final : public QWidget {
   std::optional<proposals::GapReport> report_;
   QComboBox* experiments_;
   QComboBox* models_;
+  QLabel* proxy_label_;
+  QComboBox* proxies_;
   QToolButton* open_;
   QToolButton* diagnose_;
   QToolButton* propose_;

@@ -18,7 +18,8 @@ void writeDiagnosis(const DiagnosisTask& task, core::Progress& progress) {
   const auto lidar = model::readModel(task.model);
   const auto project = specs::ProjectStore::open(task.project, specs::Access::ReadOnly);
   core::PartOfProgress diagnosing(progress, 0.0, kDiagnosis);
-  gap::Diagnosis diagnosis = gap::diagnose(experiment, lidar, {}, diagnosing);
+  gap::Diagnosis diagnosis =
+      gap::diagnose(experiment, lidar, {.proxy = gap::chosenProxy(task.proxy, lidar)}, diagnosing);
   if (const auto graph = project.graph()) gap::addChains(diagnosis, *graph);
   core::PartOfProgress judging(progress, kDiagnosis, 1.0);
   if (!diagnosis.approximation && !diagnosis.proposed_model.is_null()) {

@@ -19,6 +19,7 @@ namespace desktop {
 struct DiagnosisTask {
   std::filesystem::path experiment;
   std::filesystem::path model;
+  std::filesystem::path proxy;    ///< built-in model that stands for one that is not; empty: as the model file says
   std::filesystem::path project;  ///< its graph and its acceptance tests are looked at
   std::filesystem::path report;   ///< JSON that is written
 };
