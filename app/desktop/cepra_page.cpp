@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/desktop/colours.h"
+#include "app/desktop/page_parts.h"
 #include "app/desktop/row_details.h"
 #include "core/error.h"
 
@@ -28,9 +29,7 @@ CepraPage::CepraPage(ProjectDocument& document, QWidget* parent)
   splitter->addWidget(makeSide());
   splitter->setStretchFactor(0, 1);
   splitter->setSizes({1060, 360});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(makeBar());
   layout->addWidget(splitter, 1);
 
@@ -109,10 +108,7 @@ QWidget* CepraPage::makeBar() {
 QWidget* CepraPage::makeSide() {
   auto* side = new QSplitter(Qt::Vertical);
   side->setObjectName("cepraSide");
-  details_ = new QTextBrowser;
-  details_->setOpenLinks(false);
-  details_->document()->setDocumentMargin(10);
-  details_->setAccessibleName(tr("The row in full"));
+  details_ = textPane(tr("The row in full"));
   auto* lower = new QWidget;
   auto* layout = new QVBoxLayout(lower);
   layout->setContentsMargins(0, 4, 0, 0);

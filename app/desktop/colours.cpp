@@ -81,6 +81,8 @@ QPainterPath eye() {
 
 const QColor kGrey(0x6b, 0x74, 0x7d);
 
+QString textOf(std::string_view word) { return QString::fromUtf8(word.data(), qsizetype(word.size())); }
+
 }  // namespace
 
 bool isDark(const QPalette& palette) { return luminance(palette.color(QPalette::Base)) < 0.2; }
@@ -189,16 +191,23 @@ QIcon iconOf(specs::Verdict verdict) {
   return {};
 }
 
+QIcon iconOf(specs::ProposalState state) {
+  switch (state) {
+    case specs::ProposalState::Open:
+      return iconOf(specs::Status::UnderReview);
+    case specs::ProposalState::Accepted:
+      return iconOf(specs::Status::Accepted);
+    case specs::ProposalState::Dismissed:
+      return iconOf(specs::Status::Rejected);
+  }
+  return {};
+}
+
 QIcon warningIcon() { return sign(accent::kRed, false, exclamation()); }
 
-QString wordFor(specs::Status status) {
-  const std::string_view word = specs::name(status);
-  return QString::fromUtf8(word.data(), qsizetype(word.size()));
-}
-
-QString wordFor(specs::Verdict verdict) {
-  const std::string_view word = specs::name(verdict);
-  return QString::fromUtf8(word.data(), qsizetype(word.size()));
-}
+QString wordFor(specs::Kind kind) { return textOf(specs::name(kind)); }
+QString wordFor(specs::Status status) { return textOf(specs::name(status)); }
+QString wordFor(specs::Verdict verdict) { return textOf(specs::name(verdict)); }
+QString wordFor(specs::ProposalState state) { return textOf(specs::name(state)); }
 
 }  // namespace desktop

@@ -8,6 +8,7 @@
 
 #include "percollect/graph.h"
 #include "specs/items.h"
+#include "specs/proposals.h"
 #include "specs/results.h"
 
 namespace desktop {
@@ -43,8 +44,11 @@ inline const QColor kPurple(0xa3, 0x38, 0x7c);
 /// A shape for each status or verdict; colour only helps.
 [[nodiscard]] QIcon iconOf(specs::Status status);
 [[nodiscard]] QIcon iconOf(specs::Verdict verdict);
+[[nodiscard]] QIcon iconOf(specs::ProposalState state);
 [[nodiscard]] QIcon warningIcon();
+[[nodiscard]] QString wordFor(specs::Kind kind);
 [[nodiscard]] QString wordFor(specs::Status status);
 [[nodiscard]] QString wordFor(specs::Verdict verdict);
+[[nodiscard]] QString wordFor(specs::ProposalState state);
 
 }  // namespace desktop

@@ -10,10 +10,10 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
 
 #include "app/desktop/colours.h"
 #include "app/desktop/node_details.h"
+#include "app/desktop/page_parts.h"
 
 namespace desktop {
 
@@ -50,23 +50,18 @@ GraphPage::GraphPage(ProjectDocument& document, QWidget* parent)
       scene_(new GraphScene(this)),
       view_(new GraphView),
       splitter_(new QSplitter),
-      details_(new QTextBrowser),
+      details_(textPane(tr("Details of the selected node"))),
       completions_(new QStandardItemModel(this)) {
   view_->setScene(scene_);
   view_->setAccessibleName(tr("Cause-effect graph"));
   view_->setAccessibleDescription(tr("Arrow keys go from node to node, Space folds, Escape clears the selection"));
-  details_->setOpenLinks(false);
-  details_->setAccessibleName(tr("Details of the selected node"));
   details_->setMinimumWidth(220);
-  details_->document()->setDocumentMargin(10);
   splitter_->setObjectName("graphSplitter");
   splitter_->addWidget(view_);
   splitter_->addWidget(details_);
   splitter_->setStretchFactor(0, 1);
   splitter_->setSizes({900, 320});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(makeBar());
   layout->addWidget(splitter_, 1);
   layout->addWidget(makeLegend());
@@ -115,9 +110,7 @@ QWidget* GraphPage::makeBar() {
   phenomenon_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   causes_ = toggle(tr("Causes"), tr("Show design parameters and system-independent causes, not only effects"));
   isolate_ = toggle(tr("Only its chains"), tr("Show only the chains through the selected node"));
-  auto* fit_button = new QToolButton;
-  fit_button->setText(tr("Fit"));
-  fit_button->setToolTip(tr("The whole drawing in the window"));
+  auto* fit_button = toolButton(tr("Fit"), tr("The whole drawing in the window"));
   auto* smaller = new QToolButton;
   smaller->setText(QString::fromUtf8("−"));
   smaller->setAccessibleName(tr("Smaller"));

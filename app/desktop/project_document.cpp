@@ -51,6 +51,11 @@ void ProjectDocument::close() {
 
 std::filesystem::path ProjectDocument::file() const { return store_ ? store_->file() : std::filesystem::path(); }
 
+std::filesystem::path ProjectDocument::reportFile(std::string name) const {
+  std::erase(name, ':');
+  return folder() / "reports" / name;
+}
+
 std::filesystem::path ProjectDocument::folder() const { return store_ ? store_->folder() : std::filesystem::path(); }
 
 bool ProjectDocument::changedElsewhere() const { return store_ && store_->dataVersion() != data_version_; }

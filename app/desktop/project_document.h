@@ -35,6 +35,8 @@ class ProjectDocument final : public QObject {
 
   [[nodiscard]] bool isOpen() const noexcept { return store_.has_value(); }
   [[nodiscard]] std::filesystem::path file() const;
+  /// Where a report of this name goes. A time in it loses its colons, which some systems do not allow.
+  [[nodiscard]] std::filesystem::path reportFile(std::string name) const;
   [[nodiscard]] std::filesystem::path folder() const;
   [[nodiscard]] bool readOnly() const { return store_ && store_->readOnly(); }
   [[nodiscard]] bool modified() const { return !undo_stack_.isClean(); }

@@ -16,23 +16,6 @@
 
 namespace desktop {
 
-namespace {
-
-QToolButton* button(const QString& text, const QString& tip) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(tip);
-  return made;
-}
-
-/// A file name from a time: "2026-01-02T030405Z.html".
-std::string reportName(std::string started_at) {
-  std::erase(started_at, ':');
-  return started_at + ".html";
-}
-
-}  // namespace
-
 ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, QWidget* parent)
     : QWidget(parent), document_(document), save_(std::move(save)), model_(document), tests_(new QTableView) {
   tests_->setModel(&model_);
@@ -50,9 +33,7 @@ ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, 
   splitter->addWidget(tests_);
   splitter->addWidget(makeSide());
   splitter->setSizes({700, 740});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(makeBar());
   layout->addWidget(splitter, 1);
 
@@ -64,23 +45,14 @@ ResultsPage::ResultsPage(ProjectDocument& document, std::function<bool()> save, 
   });
   connect(&document_, &ProjectDocument::verdictsChanged, this, &ResultsPage::showResult);
   connect(numbers_, &QTableWidget::currentCellChanged, this, &ResultsPage::showPlot);
-  connect(&runner_, &TestRunner::progressed, this, [this](double fraction, const QString& doing) {
-    progress_->setValue(int(fraction * 100));
-    doing_->setText(doing);
-  });
   connect(&runner_, &TestRunner::finished, this, [this](const acceptance::RunResult& result) {
-    showBusy(false);
     if (document_.file() == running_on_) guarded(this, [&] { store(result); });
   });
-  connect(&runner_, &TestRunner::failed, this, [this](const core::InputError& error) {
-    showBusy(false);
-    showError(this, error);
+  connect(&runner_, &TestRunner::failed, this, [this](const core::InputError& error) { showError(this, error); });
+  connect(&runner_, &TestRunner::runningChanged, this, [this](bool running) {
+    run_selected_->setEnabled(!running);
+    run_all_->setEnabled(!running);
   });
-  connect(&runner_, &TestRunner::cancelled, this, [this] {
-    showBusy(false);
-    doing_->setText(tr("Cancelled; nothing was stored."));
-  });
-  showBusy(false);
   showResult();
 }
 
@@ -88,23 +60,16 @@ QWidget* ResultsPage::makeBar() {
   auto* bar = new QWidget;
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(8, 6, 8, 6);
-  run_selected_ = button(tr("Run selected"), tr("Run the selected acceptance tests (F5)"));
-  run_all_ = button(tr("Run all"), tr("Run all acceptance tests that are not rejected (Ctrl+F5)"));
-  cancel_ = button(tr("Cancel"), tr("Stop the run; nothing of it is stored"));
-  open_report_ = button(tr("Open report"), tr("The HTML report of this verdict in the browser"));
-  progress_ = new QProgressBar;
-  progress_->setAccessibleName(tr("Progress of the run"));
-  progress_->setFixedWidth(220);
-  doing_ = new QLabel;
-  doing_->setObjectName("resultsDoing");
-  for (QWidget* widget : std::initializer_list<QWidget*>{run_selected_, run_all_, cancel_, progress_, doing_}) {
-    layout->addWidget(widget);
-  }
-  layout->addStretch(1);
+  run_selected_ = toolButton(tr("Run selected"), tr("Run the selected acceptance tests (F5)"));
+  run_all_ = toolButton(tr("Run all"), tr("Run all acceptance tests that are not rejected (Ctrl+F5)"));
+  open_report_ = toolButton(tr("Open report"), tr("The HTML report of this verdict in the browser"));
+  status_ = new WorkStatus(runner_, tr("Progress of the run"), tr("Stop the run; nothing of it is stored"));
+  layout->addWidget(run_selected_);
+  layout->addWidget(run_all_);
+  layout->addWidget(status_, 1);
   layout->addWidget(open_report_);
   connect(run_selected_, &QToolButton::clicked, this, &ResultsPage::runSelected);
   connect(run_all_, &QToolButton::clicked, this, &ResultsPage::runAll);
-  connect(cancel_, &QToolButton::clicked, this, &ResultsPage::cancel);
   connect(open_report_, &QToolButton::clicked, this, &ResultsPage::openReport);
   return bar;
 }
@@ -152,13 +117,12 @@ void ResultsPage::runSelected() {
 void ResultsPage::run(const std::vector<std::string>& tests) {
   if (runner_.isRunning() || !save_()) return;
   started_at_ = app::signatureOf("").when;
-  showBusy(true);
   running_on_ = document_.file();
   runner_.start(running_on_, tests);
 }
 
 std::filesystem::path ResultsPage::writeReport(const acceptance::RunResult& result) {
-  const std::filesystem::path report = document_.folder() / "reports" / reportName(started_at_);
+  const std::filesystem::path report = document_.reportFile(started_at_ + ".html");
   std::error_code ignored;
   std::filesystem::create_directories(report.parent_path(), ignored);  // writing says what is wrong
   const bool written = guarded(this, [&] { core::writeFile(report, acceptance::htmlReport(result)); });
@@ -167,21 +131,12 @@ std::filesystem::path ResultsPage::writeReport(const acceptance::RunResult& resu
 
 void ResultsPage::store(const acceptance::RunResult& result) {
   acceptance::storeRun(document_.store(), result, {.started_at = started_at_, .report = writeReport(result)});
-  doing_->setText(tr("%1 passed, %2 failed, %3 undecided, %4 skipped")
-                      .arg(result.count(specs::Verdict::Passed))
-                      .arg(result.count(specs::Verdict::Failed))
-                      .arg(result.count(specs::Verdict::Error))
-                      .arg(result.count(specs::Verdict::Skipped)));
+  status_->tell(tr("%1 passed, %2 failed, %3 undecided, %4 skipped")
+                    .arg(result.count(specs::Verdict::Passed))
+                    .arg(result.count(specs::Verdict::Failed))
+                    .arg(result.count(specs::Verdict::Error))
+                    .arg(result.count(specs::Verdict::Skipped)));
   document_.refreshVerdicts();
-}
-
-void ResultsPage::showBusy(bool busy) {
-  progress_->setVisible(busy);
-  progress_->setValue(0);
-  cancel_->setVisible(busy);
-  run_selected_->setEnabled(!busy);
-  run_all_->setEnabled(!busy);
-  if (busy) doing_->setText(tr("Starting…"));
 }
 
 void ResultsPage::showResult() {

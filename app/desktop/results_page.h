@@ -1,13 +1,12 @@
 #pragma once
 
 #include <QLabel>
-#include <QProgressBar>
 #include <QTableView>
 #include <QTableWidget>
-#include <QToolButton>
 #include <QWidget>
 #include <functional>
 
+#include "app/desktop/page_parts.h"
 #include "app/desktop/results_model.h"
 #include "app/desktop/shown_result.h"
 #include "app/desktop/svg_view.h"
@@ -39,7 +38,6 @@ class ResultsPage final : public QWidget {
   void store(const acceptance::RunResult& result);
   /// The report's file, or nothing after an error was shown: a verdict counts without its report too.
   [[nodiscard]] std::filesystem::path writeReport(const acceptance::RunResult& result);
-  void showBusy(bool busy);
   void showResult();
   void fillNumbers();
   void showPlot();
@@ -58,11 +56,9 @@ class ResultsPage final : public QWidget {
   QTableWidget* numbers_;
   SvgView* plot_;
   QLabel* headline_;
-  QProgressBar* progress_;
-  QLabel* doing_;
+  WorkStatus* status_;
   QToolButton* run_selected_;
   QToolButton* run_all_;
-  QToolButton* cancel_;
   QToolButton* open_report_;
 };
 

@@ -7,12 +7,12 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
-#include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
 
+#include "app/desktop/colours.h"
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/link_details.h"
+#include "app/desktop/page_parts.h"
 
 namespace desktop {
 
@@ -22,15 +22,12 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
       model_(document),
       tree_(new QTreeView),
       form_(new ItemForm(document)),
-      links_(new QTextBrowser) {
+      links_(textPane(tr("Links of the selected item"))) {
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Specification"));
   tree_->setUniformRowHeights(true);
   tree_->setIconSize({18, 18});
   tree_->setAlternatingRowColors(true);
-  links_->setOpenLinks(false);
-  links_->document()->setDocumentMargin(10);
-  links_->setAccessibleName(tr("Links of the selected item"));
   auto* side = new QSplitter(Qt::Vertical);
   side->setObjectName("specSide");
   side->addWidget(form_);
@@ -41,9 +38,7 @@ SpecPage::SpecPage(ProjectDocument& document, QWidget* parent)
   splitter->addWidget(tree_);
   splitter->addWidget(side);
   splitter->setSizes({900, 540});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(makeBar());
   layout->addWidget(splitter, 1);
 
@@ -76,21 +71,14 @@ QWidget* SpecPage::makeBar() {
   auto* menu = new QMenu(this);
   using specs::Kind;
   for (const Kind kind : {Kind::Requirement, Kind::AcceptanceTest, Kind::ExperimentData, Kind::ReferenceData}) {
-    const std::string_view name = specs::name(kind);
-    menu->addAction(QString::fromUtf8(name.data(), qsizetype(name.size())), this, [this, kind] { addItem(kind); });
+    menu->addAction(wordFor(kind), this, [this, kind] { addItem(kind); });
   }
-  auto* add = new QToolButton;
-  add->setText(tr("Add"));
-  add->setToolTip(tr("Add an item that follows from the selected one"));
+  auto* add = toolButton(tr("Add"), tr("Add an item that follows from the selected one"));
   add->setMenu(menu);
   add->setPopupMode(QToolButton::InstantPopup);
-  auto* link = new QToolButton;
-  link->setText(tr("Link to…"));
-  link->setToolTip(tr("Let another item follow from the selected one"));
+  auto* link = toolButton(tr("Link to…"), tr("Let another item follow from the selected one"));
   connect(link, &QToolButton::clicked, this, &SpecPage::linkTo);
-  auto* remove = new QToolButton;
-  remove->setText(tr("Remove"));
-  remove->setToolTip(tr("Remove the selected item and its links (Undo brings both back)"));
+  auto* remove = toolButton(tr("Remove"), tr("Remove the selected item and its links (Undo brings both back)"));
   connect(remove, &QToolButton::clicked, this, [this] { document_.removeItem(currentId()); });
   for (QWidget* widget : std::initializer_list<QWidget*>{search_, add, link, remove}) layout->addWidget(widget);
   layout->addStretch(1);

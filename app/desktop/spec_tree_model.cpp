@@ -43,7 +43,7 @@ QString shortWord(specs::Kind kind) {
 }
 
 QString word(specs::Kind kind) {
-  QString text = QString::fromUtf8(specs::name(kind).data(), qsizetype(specs::name(kind).size()));
+  QString text = wordFor(kind);
   text[0] = text[0].toUpper();
   return text;
 }

@@ -10,6 +10,7 @@
 #include "app/desktop/cepra_page.h"
 #include "app/desktop/colours.h"
 #include "app/desktop/diagnosis/diagnosis_page.h"
+#include "app/desktop/file_list.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/screenshots.h"
 #include "core/json_object.h"
@@ -70,6 +71,21 @@ class DesktopDiagnosis : public testing::Test {
   std::unique_ptr<QSettings> settings_;
   std::unique_ptr<MainWindow> window_;
 };
+
+TEST_F(DesktopDiagnosis, AnExperimentIsListedOnceByTheNameOfItsFolderBeforeTheQuestionForAnother) {
+  QComboBox list;
+  desktop::addFileQuestion(&list, "Choose…");
+  EXPECT_TRUE(desktop::asksForFile(&list));
+  EXPECT_TRUE(desktop::chosenFile(&list).empty());
+  EXPECT_EQ(desktop::offerFile(&list, "/data/fog/experiment.json"), 0);
+  EXPECT_EQ(desktop::offerFile(&list, "/data/other/../fog/experiment.json"), 0);
+  EXPECT_EQ(desktop::offerFile(&list, "/data/near.json"), 1);
+  EXPECT_EQ(list.itemText(0), "fog");
+  EXPECT_EQ(list.itemText(1), "near.json");
+  EXPECT_EQ(list.count(), 3);
+  list.setCurrentIndex(0);
+  EXPECT_EQ(desktop::chosenFile(&list), "/data/fog/experiment.json");
+}
 
 TEST_F(DesktopDiagnosis, WithoutAReportItSaysWhatToDo) {
   EXPECT_TRUE(page().text().toPlainText().contains("press Diagnose"));

@@ -6,36 +6,16 @@
 #include <QFileDialog>
 
 #include "app/desktop/error_dialog.h"
+#include "app/desktop/file_list.h"
 #include "app/desktop/html.h"
 
 namespace desktop {
 
-namespace {
-
-/// The folder of an experiment.json, or the file's own name.
-QString shortName(const std::filesystem::path& file) {
-  const bool usual = file.filename() == "experiment.json" && file.has_parent_path();
-  return QString::fromStdString((usual ? file.parent_path().filename() : file.filename()).string());
-}
-
-/// Adds it once and returns its index.
-int offer(QComboBox* list, const std::filesystem::path& file) {
-  const QString path = QString::fromStdString(file.lexically_normal().string());
-  if (const int known = list->findData(path); known >= 0) return known;
-  list->addItem(shortName(file), path);
-  list->setItemData(list->count() - 1, path, Qt::ToolTipRole);
-  return list->count() - 1;
-}
-
-std::filesystem::path chosen(const QComboBox* list) { return list->currentData().toString().toStdString(); }
-
-}  // namespace
-
 CloudPage::~CloudPage() = default;
 
 void CloudPage::connectParts() {
-  connect(experiments_, &QComboBox::activated, this, [this] { openExperiment(chosen(experiments_)); });
-  connect(models_, &QComboBox::activated, this, [this] { chooseModel(chosen(models_)); });
+  connect(experiments_, &QComboBox::activated, this, [this] { openExperiment(chosenFile(experiments_)); });
+  connect(models_, &QComboBox::activated, this, [this] { chooseModel(chosenFile(models_)); });
   connect(samples_, &QComboBox::currentIndexChanged, this, &CloudPage::showSample);
   connect(frames_, &QComboBox::currentIndexChanged, this, &CloudPage::showFrames);
   connect(frame_, &QSpinBox::valueChanged, this, &CloudPage::showFrames);
@@ -127,17 +107,13 @@ void CloudPage::offerFilesOfProject() {
   experiment_.reset();
   model_.clear();
   for (const specs::AcceptanceTest& test : document_.specification().tests) {
-    if (!test.experiment.empty()) {
-      std::filesystem::path file = document_.folder() / test.experiment;
-      if (std::filesystem::is_directory(file)) file /= "experiment.json";
-      if (std::filesystem::exists(file)) offer(experiments_, file);
-    }
-    const std::filesystem::path model = document_.folder() / test.model;
-    if (!test.model.empty() && std::filesystem::exists(model)) offer(models_, model);
+    const TestFiles files = filesOf(test, document_);
+    if (!files.experiment.empty()) offerFile(experiments_, files.experiment);
+    if (!files.model.empty()) offerFile(models_, files.model);
   }
-  if (models_->count() > 0) chooseModel(chosen(models_));
+  if (models_->count() > 0) chooseModel(chosenFile(models_));
   if (experiments_->count() > 0) {
-    openExperiment(chosen(experiments_));
+    openExperiment(chosenFile(experiments_));
   } else {
     fillSamples();
   }
@@ -152,7 +128,7 @@ bool CloudPage::openExperiment(const std::filesystem::path& file) {
   } catch (const core::InputError& error) {
     trouble = readoutOf(tr("The experiment cannot be read"), error);
   }
-  experiments_->setCurrentIndex(offer(experiments_, experiment_ ? experiment_->file : file));
+  experiments_->setCurrentIndex(offerFile(experiments_, experiment_ ? experiment_->file : file));
   fillSamples();
   if (!trouble.empty()) tellTrouble(std::move(trouble));
   return experiment_.has_value();
@@ -161,7 +137,7 @@ bool CloudPage::openExperiment(const std::filesystem::path& file) {
 void CloudPage::chooseModel(const std::filesystem::path& file) {
   forgetSimulation();
   model_ = file;
-  models_->setCurrentIndex(offer(models_, file));
+  models_->setCurrentIndex(offerFile(models_, file));
   showSimulated();
 }
 

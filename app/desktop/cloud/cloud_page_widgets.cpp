@@ -4,17 +4,11 @@
 #include <QVBoxLayout>
 
 #include "app/desktop/cloud/cloud_page.h"
+#include "app/desktop/page_parts.h"
 
 namespace desktop {
 
 namespace {
-
-QToolButton* button(const QString& text, const QString& tip) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(tip);
-  return made;
-}
 
 QComboBox* box(const QString& name, int letters) {
   auto* made = new QComboBox;
@@ -55,9 +49,7 @@ CloudPage::CloudPage(ProjectDocument& document, QWidget* parent)
   splitter->addWidget(makeSide());
   splitter->setSizes({1120, 320});
   splitter->setStretchFactor(0, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(makeSourceBar());
   layout->addWidget(makeViewBar());
   layout->addWidget(splitter, 1);
@@ -78,10 +70,10 @@ QWidget* CloudPage::makeSourceBar() {
   auto* bar = new QWidget;
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(8, 6, 8, 3);
-  auto* open_experiment = button(tr("Open…"), tr("An experiment package from elsewhere"));
-  auto* open_model = button(tr("Open…"), tr("A model file from elsewhere"));
-  simulate_ = button(tr("Simulate"), tr("Simulate this experiment with the model, this sample first"));
-  cancel_ = button(tr("Cancel"), tr("Stop; what is simulated already stays"));
+  auto* open_experiment = toolButton(tr("Open…"), tr("An experiment package from elsewhere"));
+  auto* open_model = toolButton(tr("Open…"), tr("A model file from elsewhere"));
+  simulate_ = toolButton(tr("Simulate"), tr("Simulate this experiment with the model, this sample first"));
+  cancel_ = toolButton(tr("Cancel"), tr("Stop; what is simulated already stays"));
   progress_ = new QProgressBar;
   progress_->setAccessibleName(tr("Progress of the simulation"));
   progress_->setFixedWidth(140);
@@ -166,11 +158,11 @@ QWidget* CloudPage::makeViewBar() {
         std::tuple(Look::Top, tr("Top"), tr("From above, true to scale; x is up (2)")),
         std::tuple(Look::Side, tr("Side"), tr("From the right, true to scale (3)")),
         std::tuple(Look::Sensor, tr("Front"), tr("Along x, as the sensor looks, true to scale (4)"))}) {
-    auto* made = button(text, tip);
+    auto* made = toolButton(text, tip);
     connect(made, &QToolButton::clicked, view_, [this, look = look] { view_->look(look); });
     layout->addWidget(made);
   }
-  auto* fit = button(tr("Fit"), tr("Everything in the window (0)"));
+  auto* fit = toolButton(tr("Fit"), tr("Everything in the window (0)"));
   connect(fit, &QToolButton::clicked, view_, &CloudView::fit);
   layout->addWidget(fit);
   return bar;
@@ -178,7 +170,7 @@ QWidget* CloudPage::makeViewBar() {
 
 QWidget* CloudPage::makeSide() {
   view_->setAccessibleName(tr("Point cloud"));
-  copy_ = button(tr("Copy"), tr("The values as text (Ctrl+C in the picture)"));
+  copy_ = toolButton(tr("Copy"), tr("The values as text (Ctrl+C in the picture)"));
   values_ = new QTextBrowser;
   values_->setObjectName("cloudValues");
   values_->setAccessibleName(tr("Values of the picked detection"));

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <QComboBox>
-#include <QLabel>
-#include <QProgressBar>
-#include <QTextBrowser>
-#include <QToolButton>
-#include <QWidget>
 #include <functional>
 #include <optional>
 
 #include "app/desktop/diagnosis/diagnosis_runner.h"
 #include "app/desktop/diagnosis/proposals_panel.h"
+#include "app/desktop/page_parts.h"
 
 namespace desktop {
 
@@ -51,7 +47,8 @@ class DiagnosisPage final : public QWidget {
   void showProxies();
   void askAndOpen();
   void showReport();
-  void showBusy(bool busy);
+  void showText();
+  void enableButtons();
   void store(const proposals::Proposed& proposed);
 
   ProjectDocument& document_;
@@ -66,9 +63,7 @@ class DiagnosisPage final : public QWidget {
   QToolButton* open_;
   QToolButton* diagnose_;
   QToolButton* propose_;
-  QToolButton* cancel_;
-  QProgressBar* progress_;
-  QLabel* doing_;
+  WorkStatus* status_;
   QTextBrowser* text_;
   ProposalsPanel* panel_;
 };

@@ -1,8 +1,6 @@
 #include "app/desktop/diagnosis/diagnosis_runner.h"
 
 #include "acceptance/flips.h"
-#include "app/desktop/guarded_work.h"
-#include "app/desktop/window_progress.h"
 #include "core/json_object.h"
 #include "gap/chain.h"
 #include "gap/report_json.h"
@@ -11,6 +9,7 @@ namespace desktop {
 
 namespace {
 
+constexpr const char* kRemedy = "Nothing was stored. Please report it, with the file if you may.";
 constexpr double kDiagnosis = 0.85;  // of the time; the acceptance tests take the rest
 
 void writeDiagnosis(const DiagnosisTask& task, core::Progress& progress) {
@@ -34,20 +33,9 @@ void writeDiagnosis(const DiagnosisTask& task, core::Progress& progress) {
 
 }  // namespace
 
-DiagnosisRunner::DiagnosisRunner(QObject* parent) : QObject(parent) {}
-
-DiagnosisRunner::~DiagnosisRunner() {
-  cancel();
-  if (thread_) thread_->wait();
-}
-
-void DiagnosisRunner::cancel() {
-  if (stop_) *stop_ = true;
-}
-
 void DiagnosisRunner::diagnose(const DiagnosisTask& task) {
   start([task](core::Progress& progress) { writeDiagnosis(task, progress); },
-        [this, task] { emit diagnosed(task.report); }, task.experiment);
+        [this, task] { emit diagnosed(task.report); }, task.experiment, kRemedy);
 }
 
 void DiagnosisRunner::propose(const ProposeTask& task) {
@@ -57,38 +45,7 @@ void DiagnosisRunner::propose(const ProposeTask& task) {
         *outcome = proposals::propose(task.report, {task.specification, task.graph, task.folder}, {}, progress);
         core::stopIfCancelled(progress);
       },
-      [this, outcome] { emit proposed(*outcome); }, task.report.file);
-}
-
-void DiagnosisRunner::start(std::function<void(core::Progress&)> work, std::function<void()> done,
-                            const std::filesystem::path& file) {
-  if (isRunning()) return;
-  stop_ = std::make_shared<std::atomic<bool>>(false);
-  auto error = std::make_shared<std::optional<core::InputError>>();
-  const auto tell = [this](double fraction, const QString& doing) {
-    QMetaObject::invokeMethod(
-        this, [this, fraction, doing] { emit progressed(fraction, doing); }, Qt::QueuedConnection);
-  };
-  auto finished = std::make_shared<bool>(false);
-  thread_.reset(QThread::create([work = std::move(work), file, error, finished, tell, stop = stop_] {
-    WindowProgress progress(stop, tell);
-    const auto run = [&] {
-      work(progress);
-      *finished = true;
-    };
-    *error = errorOf(run, file, "Nothing was stored. Please report it, with the file if you may.");
-  }));
-  connect(thread_.get(), &QThread::finished, this, [this, error, finished, done = std::move(done)] {
-    thread_.release()->deleteLater();
-    if (*error) {
-      emit failed(**error);
-    } else if (*finished) {
-      done();
-    } else {
-      emit cancelled();
-    }
-  });
-  thread_->start();
+      [this, outcome] { emit proposed(*outcome); }, task.report.file, kRemedy);
 }
 
 }  // namespace desktop

@@ -6,35 +6,18 @@
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/desktop/colours.h"
 #include "app/desktop/error_dialog.h"
 #include "app/desktop/html.h"
+#include "app/desktop/page_parts.h"
 #include "proposals/decide.h"
 #include "proposals/propose.h"
 
 namespace desktop {
 
 namespace {
-
-QString stateWord(specs::ProposalState state) {
-  switch (state) {
-    case specs::ProposalState::Open:
-      return QObject::tr("open");
-    case specs::ProposalState::Accepted:
-      return QObject::tr("accepted");
-    case specs::ProposalState::Dismissed:
-      return QObject::tr("dismissed");
-  }
-  return {};
-}
-
-QIcon shapeOf(specs::ProposalState state) {
-  if (state == specs::ProposalState::Accepted) return iconOf(specs::Status::Accepted);
-  return iconOf(state == specs::ProposalState::Open ? specs::Status::UnderReview : specs::Status::Rejected);
-}
 
 QString scoreWord(const std::optional<int>& value) { return value ? QString::number(*value) : QObject::tr("none"); }
 
@@ -62,7 +45,7 @@ QString listOf(const std::vector<std::string>& ids) {
 
 QString decisionText(const specs::Proposal& proposal) {
   QString text = QObject::tr("<b>%1</b> by %2 on %3")
-                     .arg(stateWord(proposal.state), html::text(proposal.decided_by), html::text(proposal.decided_at));
+                     .arg(wordFor(proposal.state), html::text(proposal.decided_by), html::text(proposal.decided_at));
   if (!proposal.reason.empty()) text += ": " + html::text(proposal.reason);
   return text;
 }
@@ -105,7 +88,7 @@ ProposalsPanel::ProposalsPanel(ProjectDocument& document, QWidget* parent)
       document_(document),
       count_(new QLabel),
       table_(new QTableWidget(0, 3)),
-      details_(new QTextBrowser),
+      details_(textPane(tr("Evidence of the proposal"), 8)),
       accept_(new QPushButton(tr("&Accept"))),
       dismiss_(new QPushButton(tr("&Dismiss…"))),
       show_row_(new QPushButton(tr("Show &row"))) {
@@ -119,9 +102,6 @@ ProposalsPanel::ProposalsPanel(ProjectDocument& document, QWidget* parent)
   table_->setWordWrap(true);
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setStretchLastSection(true);
-  details_->setAccessibleName(tr("Evidence of the proposal"));
-  details_->setOpenLinks(false);
-  details_->document()->setDocumentMargin(8);
   accept_->setToolTip(tr("Write the occurrence and its evidence into the row, or add the test for review (undoable)"));
   dismiss_->setToolTip(tr("Set the proposal aside; you are asked why, and it is kept in the history"));
   show_row_->setToolTip(tr("The row in the relevance table"));
@@ -132,9 +112,7 @@ ProposalsPanel::ProposalsPanel(ProjectDocument& document, QWidget* parent)
   for (QPushButton* button : {accept_, dismiss_, show_row_}) buttons->addWidget(button);
   buttons->addStretch(1);
   auto* lower = new QWidget;
-  auto* lower_layout = new QVBoxLayout(lower);
-  lower_layout->setContentsMargins(0, 0, 0, 0);
-  lower_layout->setSpacing(0);
+  auto* lower_layout = seamlessColumn(lower);
   lower_layout->addLayout(buttons);
   lower_layout->addWidget(details_, 1);
   auto* splitter = new QSplitter(Qt::Vertical);
@@ -142,9 +120,7 @@ ProposalsPanel::ProposalsPanel(ProjectDocument& document, QWidget* parent)
   splitter->addWidget(table_);
   splitter->addWidget(lower);
   splitter->setSizes({240, 520});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = seamlessColumn(this);
   layout->addWidget(count_);
   layout->addWidget(splitter, 1);
 
@@ -182,7 +158,7 @@ void ProposalsPanel::fill() {
       if (!evidence_.empty() && proposal.evidence != evidence_) continue;
       const int row = table_->rowCount();
       table_->insertRow(row);
-      auto* state = new QTableWidgetItem(shapeOf(proposal.state), stateWord(proposal.state));
+      auto* state = new QTableWidgetItem(iconOf(proposal.state), wordFor(proposal.state));
       state->setData(Qt::UserRole, QString::fromStdString(proposal.id));
       table_->setItem(row, 0, state);
       table_->setItem(row, 1, new QTableWidgetItem(whatText(proposal)));
