@@ -10,6 +10,7 @@ import sys
 import time
 from pathlib import Path
 
+import ablation
 import baselines
 import build
 import cases
@@ -28,6 +29,7 @@ examples:
   scripts/withheld run --case 0123456                    one case: verdict beside truth
   scripts/withheld report --out /tmp/withheld
   scripts/withheld list
+  scripts/withheld ablate --effects speckle --without no-references,one-channel
 
 classes: """ + ", ".join(cases.CLASSES) + """
 A result is kept per case and program: a second call runs what is missing only, and may be interrupted at any time.
@@ -42,7 +44,8 @@ def arguments(argv):
     parser = argparse.ArgumentParser(prog="scripts/withheld", description="Does the diagnosis find causes that the model lacks? "
                                      "Builds cases of known cause, runs `fidelis gap` on them, and scores its verdicts.",
                                      epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", nargs="?", default="all", choices=["all", "build", "run", "report", "list"], help="default: all")
+    parser.add_argument("what", nargs="?", default="all", choices=["all", "build", "run", "report", "list", "ablate"],
+                        help="default: all; ablate: run with parts of the diagnosis left out, too, and print what each brings")
     parser.add_argument("--cases", type=Path, default=Path(os.environ.get("WITHHELD_CASES", ROOT / "build" / "withheld")),
                         help="folder of the cases (default: build/withheld, or $WITHHELD_CASES)")
     parser.add_argument("--bin", type=Path, default=ROOT / "build" / "bin", help="folder of the programs (default: build/bin)")
@@ -56,8 +59,13 @@ def arguments(argv):
     parser.add_argument("--case", default="", help="only this case; prints its verdict beside the truth")
     parser.add_argument("--jobs", type=int, default=2, help="cases at once, one thread each (default: 2)")
     parser.add_argument("--time-limit", type=float, default=300, metavar="S", help="processor time of a diagnosis; past it the case is wrong (300)")
-    parser.add_argument("--oracle", action="store_true", help="run with only the true effects in the library, too")
+    parser.add_argument("--oracle", action="store_true", help="run with nothing tried but the true effects, too")
+    parser.add_argument("--without", default=",".join(ablation.VARIANTS), help="what ablate leaves out, a,b (default: each of %(default)s)")
     options = parser.parse_args(argv)
+    options.without = [w for w in options.without.split(",") if w]
+    for w in options.without:
+        if w not in ablation.VARIANTS:
+            parser.error(f"'{w}' cannot be left out; there are {', '.join(ablation.VARIANTS)}")
     options.classes = [c for c in options.classes.split(",") if c]
     options.effects = [e for e in options.effects.split(",") if e]
     for c in options.classes:
@@ -149,9 +157,12 @@ def diagnose(home, bin_folder, key, limit, variant):
     return result, f"{row['id']} {'+'.join(row['truth'])} -> {row['kind']} {'+'.join(row['found'])} {'right' if row['right'] else 'WRONG'}"
 
 
-def run_cases(options, found):
-    key = run.digest(program(options, "fidelis"))
-    tasks = [(home, options.bin, key, options.time_limit, "full") for home, _ in found]
+def run_cases(options, found, variants=("full",)):
+    fidelis = program(options, "fidelis")
+    if (options.oracle or len(variants) > 1) and not run.knows(str(fidelis), "--without"):
+        raise UserError(f"{fidelis} has no option --without\n  Build a newer one, or leave out what needs it (--oracle, ablate).")
+    key = run.digest(fidelis)
+    tasks = [(home, options.bin, key, options.time_limit, variant) for home, _ in found for variant in variants]
     if options.oracle:
         tasks += [(home, options.bin, key, options.time_limit, "oracle") for home, c in found if c["truth"]["kind"] == "effect"]
     todo = [t for t in tasks if not run.result_path(t[0], key, t[4]).exists()]
@@ -170,6 +181,23 @@ def version():
     return said.stdout.strip() or "unknown"
 
 
+def about_cases(rows):
+    generators = ", ".join(f"{sum(r['generator'] == g for r in rows)} {g}" for g in sorted({r["generator"] for r in rows}))
+    return {"date": time.strftime("%Y-%m-%d"), "version": version(), "command": "scripts/withheld " + " ".join(sys.argv[1:]), "generators": generators}
+
+
+def ablate(options, found):
+    """Runs what is missing and prints what each part brings; ablations.md keeps it."""
+    variants = ["full", *options.without]
+    run_cases(options, found, variants)
+    key = run.digest(program(options, "fidelis"))
+    rows = {v: {case["id"]: score.judge(case, result) for case, result in results_of(found, key, v)} for v in variants}
+    page = ablation.markdown(ablation.table(rows), report.shown, about_cases(rows["full"].values()))
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "ablations.md").write_text(page)
+    print(page + f"report: {options.out}/ablations.md")
+
+
 def make_report(options, found):
     key = run.digest(program(options, "fidelis"))
     done = results_of(found, key)
@@ -181,8 +209,7 @@ def make_report(options, found):
     trivial = baselines.table(rows, [c for c, _ in done], {c["id"]: r for c, r in done}, oracles,
                               {c["id"]: packages.read(homes[c["id"]] / "experiment" / "experiment.json") for c, _ in done},
                               run.library_names(str(program(options, "fidelis"))))
-    generators = ", ".join(f"{sum(r['generator'] == g for r in rows)} {g}" for g in sorted({r["generator"] for r in rows}))
-    about = {"version": version(), "command": "scripts/withheld " + " ".join(sys.argv[1:]), "generators": generators}
+    about = about_cases(rows)
     for remark in report.write(options.out, rows, trivial, about):
         print(remark, file=sys.stderr)
     for what, wanted, result in score.table(rows):
@@ -235,6 +262,8 @@ def main(argv):
         found = chosen(options)
         if options.what == "list":
             list_cases(found)
+        elif options.what == "ablate":
+            ablate(options, found)
         elif options.case:
             show(options, found)
         else:

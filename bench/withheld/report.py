@@ -1,6 +1,5 @@
 """Writes what the benchmark found: results.json, a Markdown page, and the pictures."""
 
-import time
 from pathlib import Path
 
 import baselines
@@ -71,13 +70,13 @@ def write(out, rows, trivial, about, pictures=True):
     """Returns remarks for the person who runs it."""
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
-    about.setdefault("date", time.strftime("%Y-%m-%d"))
     packages.write(out / "results.json", {
         "format": "fidelis-withheld-results", "version": 1, **about,
         "table": {name: [{"what": w, "wanted": t, **r} for w, t, r in score.table([x for x in rows if x["generator"] == name])]
                   for name in sorted({r["generator"] for r in rows})},
         "judges": [{"judge": name, **by_group} for name, by_group in trivial], "cases": rows})
-    (out / "README.md").write_text(markdown(rows, trivial, about))
+    parts = "\nWhat the parts of the diagnosis bring: [ablations.md](ablations.md).\n" if (out / "ablations.md").exists() else ""
+    (out / "README.md").write_text(markdown(rows, trivial, about) + parts)
     if not pictures:
         return []
     try:

@@ -16,6 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import ablation
 import packages
 import severity
 import worlds
@@ -51,9 +52,10 @@ def options_of(variant, case, program):
     """What `fidelis gap` is called with beside experiment and model."""
     if variant == "oracle":
         return ["--library", ",".join(case["truth"]["names"]), "--without", "references,parameters"]
+    left_out = ["--without", ablation.LEFT_OUT[variant]] if variant in ablation.LEFT_OUT else []
     if case["without"]:
-        return ["--library", ",".join(n for n in library_names(program) if n not in case["without"])]
-    return []
+        left_out += ["--library", ",".join(n for n in library_names(program) if n not in case["without"])]
+    return left_out
 
 
 def result_path(home, program_key, variant):
@@ -76,7 +78,8 @@ def limited(command, log, limit_s):
 
 
 def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
-    """The result of a case, run if it is not there. `variant`: full, or oracle (nothing is tried but the true effects).
+    """The result of a case, run if it is not there. `variant`: full, oracle (nothing is tried but the true effects), or what
+    ablation.py leaves out.
     `elapsed_s` is processor time of one thread."""
     home, program = Path(home), str(Path(bin_folder) / "fidelis")
     case = packages.read(home / "case.json")
@@ -85,8 +88,12 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
         return packages.read(target)
     folder = Path(tempfile.mkdtemp(prefix="withheld-run-"))
     try:
-        listed = ["--candidates", str(folder / "tried.csv")] if knows(program, "--candidates") else []
-        command = [program, "--threads", "1", "gap", str(home / "experiment"), "--model", str(home / "model.json"),
+        asked = variant == "full" and knows(program, "--candidates")
+        listed = ["--candidates", str(folder / "tried.csv")] if asked else []
+        experiment = home / "experiment"
+        if variant == ablation.ONE_CHANNEL:
+            experiment = ablation.with_one_channel(experiment, folder / "experiment")
+        command = [program, "--threads", "1", "gap", str(experiment), "--model", str(home / "model.json"),
                    *options_of(variant, case, program), *listed, "--json", str(folder / "report.json"),
                    "--write-model", str(folder / "better.json")]
         result = {"id": case["id"], "variant": variant, "program": program_key, "date": time.strftime("%Y-%m-%d")}
@@ -99,11 +106,12 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
         else:
             report = packages.read(folder / "report.json")
             result.update(status="done", report={k: report[k] for k in KEEP if k in report})
-            if listed:
+            if asked:
                 result["tried"] = read_tried(folder / "tried.csv")
             result["report"]["where"] = result["report"].get("where", [])[:5]
             better = packages.read(folder / "better.json") if (folder / "better.json").exists() else None
-            result["actual"] = actual_shrink(home, case, report, better, bin_folder)
+            if variant not in ablation.VARIANTS:
+                result["actual"] = actual_shrink(home, case, report, better, bin_folder)
         packages.write(target, result)
         return result
     finally:

@@ -14,6 +14,7 @@ from unittest import mock
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "withheld"))
 
+import ablation
 import baselines
 import build
 import cases
@@ -215,6 +216,28 @@ class Judges(unittest.TestCase):
         self.assertEqual(table["nearest signature"]["one effect"]["value"], 0.0)
         self.assertEqual(table["oracle: names the true effect"]["one effect"]["n"], 0)
         self.assertIn("BIC, errors taken for independent", baselines.too_close(list(table.items())))
+
+
+class Ablations(unittest.TestCase):
+    def test_one_channel_is_the_range_with_the_same_measurements(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole = Path(folder) / "whole"
+            (whole / "measurements").mkdir(parents=True)
+            (whole / "measurements" / "a.csv").write_text("x")
+            packages.write(whole / "experiment.json", {"measurands": [{"name": "epw"}, {"name": "range"}]})
+            part = ablation.with_one_channel(whole, Path(folder) / "part")
+            self.assertEqual(packages.read(part / "experiment.json"), {"measurands": [{"name": "range"}]})
+            self.assertEqual((part / "measurements" / "a.csv").read_text(), "x")
+            self.assertEqual(len(packages.read(whole / "experiment.json")["measurands"]), 2)
+
+    def test_lost_and_won_are_counted_case_by_case(self):
+        right, wrong = result_of(said=("effect", ["speckle"])), result_of(said=("effect", ["blooming"]))
+        rows = lambda *results: {str(i): score.judge(case_of(str(i)), r) for i, r in enumerate(results)}
+        lines = ablation.table({"full": rows(right, right, wrong), "one-channel": rows(wrong, right, right, right)})
+        self.assertEqual([(variant, lost, won) for variant, _, lost, won in lines], [("full", 0, 0), ("one-channel", 1, 1)])
+        self.assertEqual(lines[1][1]["one effect"]["n"], 3)  # the fourth was not run as a whole
+        self.assertIn("| one channel | 0.67 [0.21, 0.94] (3) |", ablation.markdown(lines, report.shown, {
+            "date": "d", "version": "v", "command": "c", "generators": "3 foreign"}))
 
 
 class EndToEnd(unittest.TestCase):
