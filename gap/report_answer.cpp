@@ -155,17 +155,6 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string withUnit(double value, const std::string& unit) {
-  if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return core::significant(1e9 * value) + " nW";
-  return core::significant(value) + (unit.empty() || unit == "°" ? "" : " ") + unit;
-}
-
-std::string intervalText(const Interval& interval, const std::string& unit) {
-  if (unit == "W" && std::max(std::abs(interval.low), std::abs(interval.high)) < 1e-3)
-    return fmt::format("{} to {} nW", core::significant(1e9 * interval.low), core::significant(1e9 * interval.high));
-  return fmt::format("{} to {}", core::significant(interval.low), withUnit(interval.high, unit));
-}
-
 std::string percentInterval(const Interval& interval) {
   return fmt::format("{:.0f} to {:.0f} %", 100.0 * interval.low, 100.0 * interval.high);
 }

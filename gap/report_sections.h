@@ -16,10 +16,6 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis);
 void addNext(report::Page& page, const Diagnosis& diagnosis);
 void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the words used
 
-/// A number to three digits with its unit; small powers in nW.
-[[nodiscard]] std::string withUnit(double value, const std::string& unit);
-/// "0.42 to 0.47 m".
-[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
 /// "92 to 97 %".
 [[nodiscard]] std::string percentInterval(const Interval& interval);
 /// "meteorological visibility 522 m (95 % interval 450 to 594 m)".

@@ -11,7 +11,6 @@ namespace gap {
 
 namespace {
 
-constexpr double kExistenceWeight = 100.0;  // formats.md section 6
 void addExistence(TotalGap& gap, const core::Detections& measured, const core::Detections& simulated, int frames) {
   if (simulated.size() == 0) {
     gap.extra_fraction = measured.size() > 0 ? 1.0 : 0.0;  // a share of nothing: all that was measured is extra

@@ -18,12 +18,15 @@ struct MeasurandGap {
   double resolution = 1.0;
 };
 
+/// What all echoes missing, or as many extra, add to the total gap.
+inline constexpr double kExistenceWeight = 100.0;
+
 /// The gap of one sample, or the mean over several, as formats.md section 6 defines it.
 struct TotalGap {
   std::vector<MeasurandGap> measurands;
   double missing_fraction = 0.0;  ///< simulated echoes that were not measured, share of all simulated
   double extra_fraction = 0.0;
-  double total = 0.0;  ///< Σ (|d_bias| + d_cavm)/resolution + 100 (missing + extra)
+  double total = 0.0;  ///< Σ (|d_bias| + d_cavm)/resolution + kExistenceWeight (missing + extra)
 };
 
 /// One sample; measurands whose column either side lacks are left out. Without recorded directions existence is no

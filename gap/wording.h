@@ -37,6 +37,11 @@ namespace gap {
 /// Its unit as readers know it: "°" for "deg".
 [[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
+/// A number to three digits with its unit; small powers in nW.
+[[nodiscard]] std::string withUnit(double value, const std::string& unit);
+/// "0.42 to 0.47 m".
+[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
+
 /// "very sure" … "hardly more than a guess".
 [[nodiscard]] std::string confidenceInWords(double confidence);
 /// Whether a deviation may be chance: "no, certainly", "no", "hardly", "possibly".

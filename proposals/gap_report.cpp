@@ -14,8 +14,6 @@ namespace {
 
 using core::JsonObject;
 
-constexpr double kExistenceWeight = 100.0;  // formats.md section 6
-
 bool isExistence(const std::string& name) { return name == "missing" || name == "extra"; }
 
 /// Every object of an array (absent: none); unlike JsonObject::eachObject it passes over keys that nobody asks for.
@@ -29,10 +27,19 @@ void eachOf(JsonObject& object, const std::string& key, const std::function<void
   }
 }
 
-std::optional<Range> rangeOf(JsonObject& object, const std::string& key) {
+std::optional<gap::Interval> intervalOf(JsonObject& object, const std::string& key) {
   if (!object.has(key)) return std::nullopt;
   const std::vector<double> ends = object.numbers(key, 2);
-  return Range{ends[0], ends[1]};
+  return gap::Interval{ends[0], ends[1]};
+}
+
+/// Of the values of an enumeration the one with this word.
+template <typename Kind, std::size_t n>
+Kind kindOf(JsonObject& object, const Kind (&kinds)[n]) {
+  std::vector<std::string> words;
+  for (const Kind kind : kinds) words.push_back(toString(kind));
+  const std::string word = object.choice("kind", words);
+  return kinds[std::ranges::find(words, word) - words.begin()];
 }
 
 ReportedGap readMeasurand(JsonObject& json) {
@@ -44,7 +51,7 @@ ReportedGap readMeasurand(JsonObject& json) {
   gap.scatter = json.number("d_cavm");
   if (json.has("interval")) {
     JsonObject interval = json.object("interval");
-    gap.bias_interval = rangeOf(interval, "d_bias");
+    gap.bias_interval = intervalOf(interval, "d_bias");
   }
   return gap;
 }
@@ -62,58 +69,67 @@ void readGap(JsonObject json, GapReport& report) {
   }
 }
 
-std::string stratumText(const nlohmann::json& stratum) {
-  std::vector<std::string> parts;
-  bool numeric = true;
-  for (const nlohmann::json& part : stratum) {
-    numeric = numeric && part.is_number();
-    parts.push_back(part.is_number() ? core::significant(part.get<double>(), 4) : part.get<std::string>());
+void readStratum(const nlohmann::json& stratum, gap::WhereRow& row) {
+  row.numeric = stratum.size() == 2 && stratum[0].is_number();
+  if (!row.numeric) {
+    row.names = stratum.get<std::vector<std::string>>();
+    return;
   }
-  if (numeric && parts.size() == 2) return parts[0] == parts[1] ? parts[0] : parts[0] + " to " + parts[1];
-  return core::join(parts);
+  row.low = stratum[0].get<double>();
+  row.high = stratum[1].get<double>();
 }
 
-ReportedPlace readPlace(JsonObject& json) {
-  ReportedPlace place;
-  place.measurand = json.text("measurand");
-  place.component = json.text("component");
-  place.covariate = json.text("covariate");
+gap::WhereRow readPlace(JsonObject& json) {
+  gap::WhereRow row;
+  row.measurand = json.text("measurand");
+  row.component = json.text("component");
+  row.covariate = json.text("covariate");
   try {
-    place.stratum = stratumText(json.raw("stratum"));
+    readStratum(json.raw("stratum"), row);
   } catch (const nlohmann::json::exception&) {
     json.fail("stratum", "is neither two numbers nor names.", "Write the report again with 'fidelis gap'.");
   }
-  place.value = json.number("value");
-  place.unit = json.textOr("unit", "");
-  place.share = json.numberOr("share", 0.0);
-  place.block = json.textOr("decomposition_block", "");
-  place.text = json.textOr("text", "");
-  return place;
+  row.value = json.number("value");
+  row.unit = json.textOr("unit", "");
+  row.share = json.numberOr("share", 0.0);
+  row.size = json.numberOr("size", 0.0);
+  return row;
 }
 
-void readParameters(JsonObject json, std::vector<ReportedParameter>& parameters) {
+std::vector<gap::FittedParameter> parametersOf(JsonObject& cause, const std::string& key) {
+  std::vector<gap::FittedParameter> parameters;
+  if (!cause.has(key)) return parameters;
+  JsonObject json = cause.object(key);
   for (const std::string& name : json.keys()) {
     JsonObject parameter = json.object(name);
     parameters.push_back(
-        {name, parameter.textOr("unit", ""), parameter.number("value"), rangeOf(parameter, "interval")});
+        {name, parameter.textOr("unit", ""), parameter.number("value"), intervalOf(parameter, "interval"), {}, {}});
   }
+  return parameters;
 }
 
-ReportedCause readCause(JsonObject& json) {
-  ReportedCause cause;
-  cause.kind = json.text("kind");
+/// A shrink without interval is as sure as it says.
+gap::Shrink shrinkOf(JsonObject& json) {
+  const double fraction = json.numberOr("fraction", 0.0);
+  return {fraction, intervalOf(json, "interval").value_or(gap::Interval{fraction, fraction})};
+}
+
+gap::Cause readCause(JsonObject& json) {
+  gap::Cause cause;
+  cause.kind = kindOf(json, {gap::CauseKind::kEffect, gap::CauseKind::kParameter, gap::CauseKind::kReference});
   cause.name = json.text("name");
+  cause.variant = json.textOr("variant", "");
+  cause.sensors = json.texts("sensors");
   cause.percollect = json.texts("percollect");
   cause.chain = json.texts("chain");
   cause.chain_titles = json.texts("chain_titles");
   cause.confidence = json.numberOr("confidence", 0.0);
   cause.explained = json.numberOr("explained", 0.0);
-  if (json.has("parameters")) readParameters(json.object("parameters"), cause.parameters);
-  if (json.has("setups")) readParameters(json.object("setups"), cause.parameters);
+  cause.parameters = parametersOf(json, "parameters");
+  for (const gap::FittedParameter& p : parametersOf(json, "setups")) cause.setups[p.name] = p;
   if (json.has("shrink")) {
     JsonObject shrink = json.object("shrink");
-    cause.shrink = shrink.numberOr("fraction", 0.0);
-    cause.shrink_interval = rangeOf(shrink, "interval");
+    cause.shrink = shrinkOf(shrink);
   }
   return cause;
 }
@@ -139,11 +155,10 @@ void readAfter(JsonObject& json, GapReport& report) {
 }
 
 void readShrink(JsonObject json, GapReport& report) {
-  report.shrink = json.number("fraction");
-  report.shrink_interval = rangeOf(json, "interval");
+  report.shrink = shrinkOf(json);
   report.held_out = json.texts("held_out_samples");
   if (json.has("before_total") && json.has("after_total")) {
-    report.totals = Range{json.number("before_total"), json.number("after_total")};
+    report.totals = {json.number("before_total"), json.number("after_total")};
   }
   eachOf(json, "samples", [&](JsonObject& sample) {
     report.samples.push_back({sample.text("id"), sample.textOr("setup", sample.text("id")),
@@ -153,11 +168,13 @@ void readShrink(JsonObject json, GapReport& report) {
 }
 
 void readVerdict(JsonObject json, GapReport& report) {
-  report.verdict = json.choice("kind", {"none", "effect", "parameter", "reference", "unknown"});
-  report.names = json.texts("names");
-  report.confidence = json.numberOr("confidence", 0.0);
-  report.indistinguishable_from = json.texts("indistinguishable_from");
-  report.text = json.textOr("text", "");
+  using enum gap::VerdictKind;
+  report.verdict = {.kind = kindOf(json, {kNone, kEffect, kParameter, kReference, kUnknown}),
+                    .names = json.texts("names"),
+                    .confidence = json.numberOr("confidence", 0.0),
+                    .indistinguishable_from = json.texts("indistinguishable_from"),
+                    .limits = json.texts("limits"),
+                    .text = json.textOr("text", "")};
 }
 
 gap::Approximation readApproximation(JsonObject json) {
@@ -172,15 +189,16 @@ gap::Approximation readApproximation(JsonObject json) {
 }  // namespace
 
 double ReportedGap::weight() const {
-  if (isExistence(name)) return kExistenceWeight * bias;
+  if (isExistence(name)) return gap::kExistenceWeight * bias;
   return resolution > 0.0 ? (std::abs(bias) + scatter) / resolution : 0.0;
 }
 
-std::vector<const ReportedCause*> GapReport::namedEffects() const {
-  std::vector<const ReportedCause*> named;
-  if (verdict != "effect") return named;
-  for (const ReportedCause& cause : causes) {
-    if (cause.kind == "effect" && std::ranges::find(names, cause.name) != names.end()) named.push_back(&cause);
+std::vector<const gap::Cause*> GapReport::namedEffects() const {
+  std::vector<const gap::Cause*> named;
+  if (verdict.kind != gap::VerdictKind::kEffect) return named;
+  for (const gap::Cause& cause : causes) {
+    const bool is_named = std::ranges::find(verdict.names, cause.name) != verdict.names.end();
+    if (cause.kind == gap::CauseKind::kEffect && is_named) named.push_back(&cause);
   }
   return named;
 }
@@ -211,8 +229,13 @@ GapReport parseGapReport(const nlohmann::json& json, const std::filesystem::path
     report.next_experiment = next.textOr("text", "");
   }
   eachOf(object, "acceptance_flips", [&](JsonObject& flip) {
-    report.flips.push_back({flip.text("test"), flip.textOr("title", ""), flip.text("before"), flip.text("after"),
-                            flip.textOr("text_after", "")});
+    report.flips.push_back({.id = flip.text("test"),
+                            .title = flip.textOr("title", ""),
+                            .measurand = flip.textOr("measurand", ""),
+                            .before = flip.text("before"),
+                            .after = flip.text("after"),
+                            .text_before = flip.textOr("text_before", ""),
+                            .text_after = flip.textOr("text_after", "")});
   });
   if (object.has("proposed_model")) report.proposed_model = object.raw("proposed_model");
   return report;

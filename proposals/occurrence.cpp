@@ -27,22 +27,22 @@ Seen seenIn(const GapReport& report) {
     double after = 0.0;
   };
   std::map<std::string, Totals> setups;
-  for (const ReportedSample& sample : report.samples) {
+  for (const gap::SampleTotals& sample : report.samples) {
     setups[sample.setup].before += sample.before;
     setups[sample.setup].after += sample.after;
   }
+  const double shrink = report.shrink ? report.shrink->fraction : 0.0;
   Seen seen{.setups = 0, .of = static_cast<int>(setups.size())};
   for (const auto& [setup, totals] : setups) {
     const bool smaller = totals.after < totals.before;
-    seen.setups += smaller && 1.0 - totals.after / totals.before >= kHalf * report.shrink.value_or(0.0);
+    seen.setups += smaller && 1.0 - totals.after / totals.before >= kHalf * shrink;
   }
   return seen;
 }
 
-ProposedOccurrence occurrenceFor(const GapReport& report, const ReportedCause& cause, const cepra::Row& row) {
+ProposedOccurrence occurrenceFor(const GapReport& report, const gap::Cause& cause, const cepra::Row& row) {
   ProposedOccurrence proposed;
-  const double shrink = cause.shrink_interval ? cause.shrink_interval->first : cause.shrink;
-  proposed.established = std::clamp(cause.confidence, 0.0, 1.0) * std::clamp(shrink, 0.0, 1.0);
+  proposed.established = std::clamp(cause.confidence, 0.0, 1.0) * std::clamp(cause.shrink.interval.low, 0.0, 1.0);
   proposed.seen = seenIn(report);
   proposed.outside = !row.causesOfKind(percollect::NodeKind::SystemIndependent).empty();
   const int step = stepOf(proposed.established * proposed.seen.share());

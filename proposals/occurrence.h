@@ -43,7 +43,6 @@ struct ProposedOccurrence {
   [[nodiscard]] std::string text() const;
 };
 
-[[nodiscard]] ProposedOccurrence occurrenceFor(const GapReport& report, const ReportedCause& cause,
-                                               const cepra::Row& row);
+[[nodiscard]] ProposedOccurrence occurrenceFor(const GapReport& report, const gap::Cause& cause, const cepra::Row& row);
 
 }  // namespace proposals

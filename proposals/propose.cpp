@@ -23,7 +23,7 @@ std::string percent(double share) { return core::significant(100.0 * share, 3) +
 
 /// Ids of the nodes that a cause stands for in the project's graph. A chain in the report helps only if it comes from
 /// the same graph: id and title of its first node agree.
-std::set<std::string> nodesFor(const ReportedCause& cause, const percollect::Graph& graph) {
+std::set<std::string> nodesFor(const gap::Cause& cause, const percollect::Graph& graph) {
   std::set<std::string> ids;
   for (const std::size_t node : gap::nodesOf(graph, cause.name, cause.percollect)) ids.insert(graph.node(node).id);
   if (!ids.empty() || cause.chain.empty() || cause.chain_titles.empty()) return ids;
@@ -46,23 +46,22 @@ bool isChain(const cepra::Row& row, const std::vector<std::string>& chain) {
   return std::ranges::equal(row.effects, std::vector(chain.rbegin(), chain.rend()), {}, &cepra::Effect::id);
 }
 
-std::string evidenceText(const GapReport& report, const ReportedCause& cause) {
-  std::string text = fmt::format("Diagnosis of {} with model {}: {}", report.experiment, report.model, report.text);
-  text += fmt::format(" Held-out shrink {}", percent(cause.shrink));
-  if (cause.shrink_interval) {
-    text += fmt::format(" [{}, {}]", percent(cause.shrink_interval->first), percent(cause.shrink_interval->second));
-  }
-  for (const ReportedParameter& p : cause.parameters) {
+std::string evidenceText(const GapReport& report, const gap::Cause& cause) {
+  std::string text =
+      fmt::format("Diagnosis of {} with model {}: {}", report.experiment, report.model, report.verdict.text);
+  text += fmt::format(" Held-out shrink {}", percent(cause.shrink.fraction));
+  const gap::Interval& interval = cause.shrink.interval;
+  if (interval.low < interval.high) text += fmt::format(" [{}, {}]", percent(interval.low), percent(interval.high));
+  for (const gap::FittedParameter& p : cause.parameters) {
     text += fmt::format("; {} = {}", p.name, core::significant(p.value, 4));
     if (p.interval) {
-      text +=
-          fmt::format(" [{}, {}]", core::significant(p.interval->first, 4), core::significant(p.interval->second, 4));
+      text += fmt::format(" [{}, {}]", core::significant(p.interval->low, 4), core::significant(p.interval->high, 4));
     }
     if (!p.unit.empty()) text += " " + p.unit;
   }
   text += ".";
-  if (!report.indistinguishable_from.empty()) {
-    text += " Not to be told from " + core::join(report.indistinguishable_from, " or ") + ".";
+  if (!report.verdict.indistinguishable_from.empty()) {
+    text += " Not to be told from " + core::join(report.verdict.indistinguishable_from, " or ") + ".";
   }
   if (report.synthetic) text += " Synthetic data.";
   return text;
@@ -85,7 +84,7 @@ specs::Proposal emptyProposal(const GapReport& report, const std::string& cause)
   return proposal;
 }
 
-specs::Proposal rowProposal(const GapReport& report, const ReportedCause& cause, const cepra::Row& row) {
+specs::Proposal rowProposal(const GapReport& report, const gap::Cause& cause, const cepra::Row& row) {
   const ProposedOccurrence occurrence = occurrenceFor(report, cause, row);
   specs::Proposal proposal = emptyProposal(report, cause.name);
   proposal.row = row.key;
@@ -181,8 +180,8 @@ std::vector<std::string> ofSameSubject(const std::set<std::string>& requirements
 
 std::string alreadyCaught(const GapReport& report) {
   std::vector<std::string> tests;
-  for (const ReportedFlip& flip : report.flips) {
-    if (flip.before == "failed" && flip.after == "passed") tests.push_back(flip.test);
+  for (const gap::TwiceJudgedTest& flip : report.flips) {
+    if (flip.before == "failed" && flip.after == "passed") tests.push_back(flip.id);
   }
   return tests.empty() ? "" : " Of the project's own tests, " + core::join(tests) + " caught it too.";
 }
@@ -203,13 +202,13 @@ void proposeTest(const GapReport& report, const Project& project, const Sources&
     return;
   }
   std::set<std::string> requirements;
-  for (const ReportedCause* cause : report.namedEffects()) {
+  for (const gap::Cause* cause : report.namedEffects()) {
     std::vector<std::string> rows;
     for (const std::size_t row : rowsOf(*cause, project)) rows.push_back(project.specification.cepra.rows[row].key);
     for (std::string& id : requirementsFor(rows, cause->name, project.specification))
       requirements.insert(std::move(id));
   }
-  specs::Proposal proposal = emptyProposal(report, core::join(report.names, ", "));
+  specs::Proposal proposal = emptyProposal(report, core::join(report.verdict.names, ", "));
   proposal.test = separating->test;
   proposal.requirements = ofSameSubject(requirements, *proposal.test, project.specification);
   proposal.rationale = separating->test.rationale + alreadyCaught(report) + sourceText(report);
@@ -219,7 +218,7 @@ void proposeTest(const GapReport& report, const Project& project, const Sources&
 
 }  // namespace
 
-std::vector<std::size_t> rowsOf(const ReportedCause& cause, const Project& project) {
+std::vector<std::size_t> rowsOf(const gap::Cause& cause, const Project& project) {
   const auto& rows = project.specification.cepra.rows;
   const std::set<std::string> nodes = nodesFor(cause, project.graph);
   std::vector<std::size_t> found;
@@ -264,10 +263,10 @@ Proposed propose(const GapReport& report, const Project& project, const Sources&
   if (causes.empty()) {
     proposed.notes.push_back(fmt::format(
         "nothing is proposed: the verdict is '{}', and only a missing effect says how often something occurs.",
-        report.verdict));
+        gap::toString(report.verdict.kind)));
     return proposed;
   }
-  for (const ReportedCause* cause : causes) {
+  for (const gap::Cause* cause : causes) {
     const std::vector<std::size_t> rows = rowsOf(*cause, project);
     for (const std::size_t row : rows) {
       proposed.proposals.push_back(rowProposal(report, *cause, project.specification.cepra.rows[row]));

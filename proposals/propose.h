@@ -33,7 +33,7 @@ struct Project {
 
 /// Rows of the relevance table that a cause stands for: those whose last effect or one of whose causes is a node of it;
 /// if there is none, those whose path runs through one. Indices, rows that end in the report's own chain first.
-[[nodiscard]] std::vector<std::size_t> rowsOf(const ReportedCause& cause, const Project& project);
+[[nodiscard]] std::vector<std::size_t> rowsOf(const gap::Cause& cause, const Project& project);
 
 /// What follows from a report for the relevance table and the specification. Only causes of kind `effect` that the
 /// verdict names propose anything: a wrong parameter or reference says nothing about how often an effect occurs.

@@ -98,7 +98,7 @@ void word(SeparatingTest& separating, const GapReport& report, const Limited& nu
                              : core::significant(value) + (unit.empty() ? "" : " " + unit);
   };
   specs::AcceptanceTest& test = separating.test;
-  const std::string cause = core::join(report.names, " and ");
+  const std::string cause = core::join(report.verdict.names, " and ");
   test.expression = number.expression + " <= " + core::shortestNumber(limit);
   test.title = fmt::format("{} of {} with {}", number.variable, test.measurand, cause);
   test.text = fmt::format("On the samples {} of {}, {} of {} must not exceed {}.", core::join(test.samples),

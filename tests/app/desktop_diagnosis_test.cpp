@@ -98,7 +98,7 @@ TEST_F(DesktopDiagnosis, AReportShowsVerdictPlacesCausesAndWhatIsLeft) {
   const gap::Diagnosis& diagnosis = test_proposals::DemoProject::diagnosis();
   EXPECT_TRUE(shown.contains(QString::fromStdString(diagnosis.verdict.text)));
   for (const gap::Cause& cause : diagnosis.causes) EXPECT_TRUE(shown.contains(QString::fromStdString(cause.name)));
-  for (const char* part : {"visibility_m = ", "range_m: ", "missing echoes", "Synthetic data"}) {
+  for (const char* part : {"visibility_m = ", "at ranges from ", "missing echoes", "Synthetic data"}) {
     EXPECT_TRUE(shown.contains(part)) << part;
   }
 }

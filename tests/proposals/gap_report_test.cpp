@@ -20,9 +20,9 @@ TEST(GapReport, HoldsWhatTheDiagnosisFound) {
   const gap::Diagnosis& diagnosis = DemoProject::diagnosis();
   const GapReport report = readGapReport(project.report());
   EXPECT_EQ(report.experiment, "foggy-sweep");
-  EXPECT_EQ(report.names, diagnosis.verdict.names);
-  EXPECT_EQ(report.text, diagnosis.verdict.text);
-  EXPECT_EQ(report.shrink, diagnosis.shrink.fraction);
+  EXPECT_EQ(report.verdict.names, diagnosis.verdict.names);
+  EXPECT_EQ(report.verdict.text, diagnosis.verdict.text);
+  EXPECT_EQ(report.shrink->fraction, diagnosis.shrink.fraction);
   EXPECT_EQ(report.held_out, diagnosis.held_out);
   EXPECT_EQ(report.sha256, core::sha256OfFile(project.report()));
   EXPECT_EQ(report.proposed_model, diagnosis.proposed_model);
@@ -37,13 +37,13 @@ TEST(GapReport, TotalsOfSamplesAndWeightsOfMeasurandsAddUp) {
   const GapReport report = readGapReport(project.report());
   ASSERT_EQ(report.samples.size(), report.held_out.size());
   double before = 0.0, after = 0.0;
-  for (const ReportedSample& sample : report.samples) {
+  for (const gap::SampleTotals& sample : report.samples) {
     before += sample.before / double(report.samples.size());
     after += sample.after / double(report.samples.size());
   }
   EXPECT_NEAR(before, report.totals->first, 1e-9);
   EXPECT_NEAR(after, report.totals->second, 1e-9);
-  EXPECT_NEAR(1.0 - after / before, *report.shrink, 1e-9);
+  EXPECT_NEAR(1.0 - after / before, report.shrink->fraction, 1e-9);
 }
 
 TEST(GapReport, TheTimeItTookIsNoEvidence) {

@@ -9,20 +9,20 @@ using percollect::NodeKind;
 using ::testing::HasSubstr;
 
 /// A report whose cause is sure, with the given total gaps before and after, one set-up each.
-GapReport reportOf(const std::vector<Range>& totals, double shrink) {
+GapReport reportOf(const std::vector<std::pair<double, double>>& totals, double shrink) {
   GapReport report;
-  report.shrink = shrink;
-  for (const Range& total : totals) {
+  report.shrink = gap::Shrink{.fraction = shrink, .interval = {}};
+  for (const auto& [before, after] : totals) {
     const std::string id = "s" + std::to_string(report.samples.size());
-    report.samples.push_back({id, id, total.first, total.second});
+    report.samples.push_back({id, id, before, after});
   }
   return report;
 }
 
-ReportedCause causeOf(double confidence, double shrink_low) {
-  ReportedCause cause;
+gap::Cause causeOf(double confidence, double shrink_low) {
+  gap::Cause cause;
   cause.confidence = confidence;
-  cause.shrink_interval = Range{shrink_low, 1.0};
+  cause.shrink.interval = {shrink_low, 1.0};
   return cause;
 }
 

@@ -51,7 +51,7 @@ TEST_F(Propose, TheRationaleHoldsTheEvidenceAndNoDate) {
   for (const char* part : {"foggy-sweep", "demo-lidar", "visibility_m = ", "Held-out shrink ", "Synthetic data."}) {
     EXPECT_THAT(row.rationale, HasSubstr(part));
   }
-  EXPECT_THAT(row.rationale, HasSubstr(report.text));
+  EXPECT_THAT(row.rationale, HasSubstr(report.verdict.text));
   EXPECT_THAT(row.rationale, HasSubstr(report.sha256.substr(0, 16)));
   EXPECT_THAT(row.rationale, ::testing::Not(::testing::ContainsRegex("20[0-9][0-9]-[0-9][0-9]")));
 }
@@ -95,7 +95,7 @@ TEST_F(Propose, TheSameReportProposesTheSameThingOnce) {
 }
 
 TEST_F(Propose, AVerdictThatNamesNoEffectProposesNothingAndSaysWhy) {
-  report.verdict = "reference";
+  report.verdict.kind = gap::VerdictKind::kReference;
   const Proposed nothing = propose(report);
   EXPECT_TRUE(nothing.proposals.empty());
   EXPECT_THAT(nothing.notes, ElementsAre(HasSubstr("the verdict is 'reference'")));
@@ -117,7 +117,7 @@ TEST_F(Propose, AModelOfAnotherIdIsRefused) {
 
 // Ids of the library mean something in LidarLimbs only; in other trees the tag binds.
 TEST_F(Propose, AGraphWithoutTheEffectGivesANoteInPlaceOfRows) {
-  report.causes[0].name = report.names[0] = "speckle";
+  report.causes[0].name = report.verdict.names[0] = "speckle";
   report.causes[0].chain.clear();
   EXPECT_THAT(propose(report).notes, ::testing::Contains(HasSubstr("fidelis-effect:speckle")));
 }

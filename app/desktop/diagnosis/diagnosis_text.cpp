@@ -8,6 +8,7 @@
 #include "app/desktop/colours.h"
 #include "app/desktop/html.h"
 #include "core/text.h"
+#include "gap/wording.h"
 
 namespace desktop {
 
@@ -21,19 +22,23 @@ constexpr int kBar_px = 90;
 QString number(double value, int digits = 3) { return QString::fromStdString(core::significant(value, digits)); }
 /// Two digits below 10 %, whole percents above.
 QString percent(double share) { return number(100.0 * share, std::abs(share) < 0.1 ? 2 : 3) + " %"; }
-QString withUnit(double value, const std::string& unit) {
-  return number(value) + (unit.empty() ? QString() : " " + QString::fromStdString(unit));
-}
+QString withUnit(double value, const std::string& unit) { return html::text(gap::withUnit(value, unit)); }
 
 QString cell(const QString& markup, bool right = false) {
   return QStringLiteral("<td style='padding:3px 14px 3px 0; white-space:nowrap'%1>%2</td>")
       .arg(right ? QStringLiteral(" align='right'") : QString(), markup);
 }
 
+/// Breaks into lines where the window is narrow.
+QString sentence(const QString& markup) {
+  return QStringLiteral("<td style='padding:3px 14px 3px 0'>%1</td>").arg(markup);
+}
+
 QString head(const QStringList& titles, const QPalette& palette) {
   QString row;
   for (const QString& word : titles) {
-    row += QStringLiteral("<td style='padding:0 14px 3px 0'>%1</td>").arg(html::muted(word.toHtmlEscaped(), palette));
+    row += QStringLiteral("<td style='padding:0 14px 3px 0; white-space:nowrap'>%1</td>")
+               .arg(html::muted(word.toHtmlEscaped(), palette));
   }
   return "<tr>" + row + "</tr>";
 }
@@ -60,23 +65,24 @@ QString bar(double share, const QColor& colour, const QPalette& palette) {
       .arg(tint(palette, colour, 0.75).name(), rest);
 }
 
-QString interval(const std::optional<proposals::Range>& range, bool as_percent) {
-  if (!range || range->first == range->second) return {};
-  const auto shown = [&](double value) { return as_percent ? number(100.0 * value) : number(value, 4); };
-  return QStringLiteral(" [%1, %2]").arg(shown(range->first), shown(range->second));
+/// Of a share, in percent; nothing if it was not computed.
+QString interval(const gap::Interval& share) {
+  if (share.low == share.high) return {};
+  return QStringLiteral(" [%1, %2]").arg(number(100.0 * share.low), number(100.0 * share.high));
 }
 
 QString verdictPart(const GapReport& report, const QPalette& palette) {
   // The first sentence is the verdict, what follows says how far to trust it.
-  const std::size_t stop = report.text.find(". ");
-  const std::size_t end = stop == std::string::npos ? report.text.size() : stop + 1;
+  const std::size_t stop = report.verdict.text.find(". ");
+  const std::size_t end = stop == std::string::npos ? report.verdict.text.size() : stop + 1;
   QString page = QStringLiteral("<p style='margin:2px 0 6px 0; font-size:19px; font-weight:600'>%1</p>")
-                     .arg(html::text(report.text.substr(0, end)));
-  if (end < report.text.size()) page += html::paragraph(html::text(core::trimmed(report.text.substr(end))));
+                     .arg(html::text(report.verdict.text.substr(0, end)));
+  if (end < report.verdict.text.size())
+    page += html::paragraph(html::text(core::trimmed(report.verdict.text.substr(end))));
   QString facts = QObject::tr("Experiment %1, model %2.").arg(html::text(report.experiment), html::text(report.model));
-  if (!report.indistinguishable_from.empty()) {
+  if (!report.verdict.indistinguishable_from.empty()) {
     facts += " " + QObject::tr("These data cannot tell it from %1.")
-                       .arg(html::text(core::join(report.indistinguishable_from, " or ")));
+                       .arg(html::text(core::join(report.verdict.indistinguishable_from, " or ")));
   }
   page += html::paragraph(html::muted(facts, palette));
   if (report.synthetic) {
@@ -120,20 +126,22 @@ QString wherePart(const GapReport& report, const QPalette& palette) {
                        QObject::tr("Measured − simulated"), QObject::tr("Share of this gap"), ""},
                       palette);
   for (std::size_t i = 0; i < std::min(kPlaces, report.where.size()); ++i) {
-    const proposals::ReportedPlace& place = report.where[i];
+    const gap::WhereRow& place = report.where[i];
     rows += "<tr>" + cell(html::text(place.measurand)) + cell(html::text(place.component)) +
-            cell(html::text(place.covariate + ": " + place.stratum)) + cell(withUnit(place.value, place.unit), true) +
+            sentence(html::text(gap::stratumText(place))) + cell(withUnit(place.value, place.unit), true) +
             cell(bar(place.share, accent::kOrange, palette)) + cell(percent(place.share), true) + "</tr>";
   }
   return title(QObject::tr("Where do they differ?")) + table(rows);
 }
 
-QString parametersOf(const proposals::ReportedCause& cause) {
+QString parametersOf(const gap::Cause& cause) {
+  std::vector<gap::FittedParameter> parameters = cause.parameters;
+  for (const auto& [setup, offset] : cause.setups) parameters.push_back(offset);
   QStringList parts;
-  for (const proposals::ReportedParameter& p : cause.parameters) {
-    QString part = QString::fromStdString(p.name) + " = " + number(p.value, 4) + interval(p.interval, false);
-    if (!p.unit.empty()) part += " " + QString::fromStdString(p.unit);
-    parts << part.toHtmlEscaped();
+  for (const gap::FittedParameter& p : parameters) {
+    const std::string unit = gap::unitOf(p);
+    const std::string range = p.interval ? " (" + gap::intervalText(*p.interval, unit) + ")" : "";
+    parts << html::text(p.name + " = " + gap::withUnit(p.value, unit) + range);
   }
   return parts.join("<br/>");
 }
@@ -143,14 +151,15 @@ QString causesPart(const GapReport& report, const QPalette& palette) {
   QString rows = head({QObject::tr("Cause"), QObject::tr("Explains"), "", QObject::tr("Shrinks the gap by"),
                        QObject::tr("Fitted, with 95 % interval")},
                       palette);
-  for (const proposals::ReportedCause& cause : report.causes) {
-    const bool named = std::ranges::find(report.names, cause.name) != report.names.end();
+  for (const gap::Cause& cause : report.causes) {
+    const bool named = std::ranges::find(report.verdict.names, cause.name) != report.verdict.names.end();
     const QString name = html::text(cause.name);
-    const QString kind = html::muted(html::text(cause.kind), palette);
+    const QString kind = html::muted(html::text(gap::toString(cause.kind)), palette);
     rows += "<tr>" + cell((named ? "<b>" + name + "</b>" : name) + "<br/>" + kind) +
             cell(bar(cause.explained, named ? accent::kTeal : accent::kBlue, palette)) +
-            cell(percent(cause.explained), true) + cell(percent(cause.shrink) + interval(cause.shrink_interval, true)) +
-            cell(parametersOf(cause)) + "</tr>";
+            cell(percent(cause.explained), true) +
+            cell(percent(cause.shrink.fraction) + interval(cause.shrink.interval)) + sentence(parametersOf(cause)) +
+            "</tr>";
   }
   QString page = title(QObject::tr("Which cause?")) + table(rows);
   const auto effects = report.namedEffects();
@@ -181,7 +190,7 @@ QString howFarPart(const GapReport& report, const QPalette& palette) {
       title(report.shrink ? QObject::tr("How far does the gap shrink?") : QObject::tr("How large is the gap?"));
   if (report.shrink) {
     QString text = QObject::tr("By <b>%1</b>%2 on samples that no fit has seen")
-                       .arg(percent(*report.shrink), interval(report.shrink_interval, true));
+                       .arg(percent(report.shrink->fraction), interval(report.shrink->interval));
     if (!report.held_out.empty()) text += " (" + html::text(core::join(report.held_out)) + ")";
     if (report.totals) {
       text +=
@@ -195,8 +204,8 @@ QString howFarPart(const GapReport& report, const QPalette& palette) {
 QString flipsPart(const GapReport& report, const QPalette& palette) {
   if (report.flips.empty()) return {};
   QString rows;
-  for (const proposals::ReportedFlip& flip : report.flips) {
-    rows += "<tr>" + cell(html::link("test:" + QString::fromStdString(flip.test), QString::fromStdString(flip.test))) +
+  for (const gap::TwiceJudgedTest& flip : report.flips) {
+    rows += "<tr>" + cell(html::link("test:" + QString::fromStdString(flip.id), QString::fromStdString(flip.id))) +
             cell(html::text(flip.title)) + cell(html::text(flip.before) + " → <b>" + html::text(flip.after) + "</b>") +
             "</tr>";
   }
