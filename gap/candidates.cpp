@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "gap/how_far.h"
 #include "gap/starts.h"
 #include "gap/statistics.h"
 
@@ -18,13 +19,14 @@ constexpr int kFitFrames = 5;
 constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 8;
-constexpr double kPricePerParameter = 0.004;  // of the explained share
-constexpr std::size_t kPolished = 5;          // candidates that are fitted with more frames
+constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
+constexpr double kNatsPerNumber = 4.0;     // of discrepancy: half the logarithm of some thousand cells (Schwarz 1978)
+constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
+constexpr std::size_t kPolished = 6;  // candidates that are fitted with more frames
 constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
 constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
-constexpr double kAlmostAsGood = 0.1;      // in merit: no more than the noise of what is excused
-constexpr double kNearlyAsGood = 0.25;     // in merit: farther behind no refinement helps
+constexpr double kNearlyAsGood = 0.3;      // in merit: farther behind no refinement helps
 
 Split withRefined(Split split) {
   split.refined = split.fitted;
@@ -80,15 +82,19 @@ void Judge::hear(Candidate& candidate) const {
   candidate.discrepancy = discrepancyOf(replay, world, split.held_out);
   candidate.explained = yardstick.explained(
       candidate.discrepancy, discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
+  candidate.merit = meritOf(candidate);
+}
+
+double Judge::meritOf(const Candidate& candidate) const {
+  const double as_it_is = (yardstick.baseline - candidate.discrepancy) / yardstick.whole();
+  const double price = std::max(kPricePerNumber, kNatsPerNumber / yardstick.whole());
+  return 0.5 * (candidate.explained + as_it_is) - price * static_cast<double>(candidate.hypothesis.parameters.size()) -
+         weight_of_total * std::min(kMostLeft, candidate.total_left);
 }
 
 void sortByMerit(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.merit() > b.merit(); });
-}
-
-double Candidate::merit() const {
-  return explained - kPricePerParameter * static_cast<double>(hypothesis.parameters.size());
+                   [](const Candidate& a, const Candidate& b) { return a.merit > b.merit; });
 }
 
 std::vector<Candidate> membersOf(const Candidate& candidate) {
@@ -103,10 +109,12 @@ std::vector<Candidate> membersOf(const Candidate& candidate) {
   return members;
 }
 
+double Yardstick::whole() const { return std::max(1e-9, baseline - perfect); }
+
 double Yardstick::explained(double discrepancy, double self) const {
   // A world may not buy its share with noise: at least half of the way to a quiet right model counts as the whole way.
-  const double whole_way = std::max(baseline - std::max(self, perfect), 0.5 * (baseline - perfect));
-  return (baseline - discrepancy) / std::max(1e-9, whole_way);
+  const double whole_way = std::max(baseline - std::max(self, perfect), 0.5 * whole());
+  return (baseline - discrepancy) / whole_way;
 }
 
 double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
@@ -183,27 +191,25 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   return candidates;
 }
 
-void polish(const Judge& judge, std::vector<Candidate>& candidates, const std::vector<WhereRow>& where,
-            const core::Progress& progress) {
-  std::vector<std::size_t> leaders;
-  for (std::size_t i = 0; i < candidates.size() && leaders.size() < kPolished; ++i) {
-    if (candidates[i].merit() >= candidates.front().merit() - kNearlyAsGood) leaders.push_back(i);
-  }
-  core::parallelFor(leaders.size(), 1, [&](std::size_t begin, std::size_t) {
-    Candidate& candidate = candidates[leaders[begin]];
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates,
+            const std::vector<WhereRow>& where, const core::Progress& progress) {
+  if (candidates.empty()) return;
+  const double enough = candidates.front().merit - kNearlyAsGood;
+  std::size_t leaders = 0;
+  while (leaders < std::min(kPolished, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
+  core::parallelFor(leaders, 1, [&](std::size_t c, std::size_t) {
+    Candidate& candidate = candidates[c];
     candidate.values = refinedOf(judge, candidate, where, progress);
+    candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
     judge.hear(candidate);
   });
-  sortByMerit(candidates);
-  const auto behind = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-    return c.merit() < candidates.front().merit() - kAlmostAsGood;
-  });
-  const double price = kPricePerParameter * (judge.yardstick.baseline - judge.yardstick.perfect);
-  const auto costOf = [&](const Candidate& c) {
-    return c.discrepancy + price * static_cast<double>(c.hypothesis.parameters.size());
-  };
+  const auto behind = candidates.begin() + static_cast<std::ptrdiff_t>(leaders);
   std::stable_sort(candidates.begin(), behind,
-                   [&](const Candidate& a, const Candidate& b) { return costOf(a) < costOf(b); });
+                   [](const Candidate& a, const Candidate& b) { return a.merit > b.merit; });
+  // What was not looked at closely is no better than what was.
+  const double of_last = (behind - 1)->merit;
+  std::for_each(behind, candidates.end(),
+                [&](Candidate& candidate) { candidate.merit = std::min(candidate.merit, of_last); });
 }
 
 }  // namespace gap

@@ -8,6 +8,8 @@
 
 namespace gap {
 
+class HeldOutGaps;
+
 /// Which data are fitted and which judge.
 struct Split {
   Evidence fitted;
@@ -31,9 +33,8 @@ struct Candidate {
   /// little is to be explained.
   double explained = 0.0;
   double discrepancy = 0.0;  ///< on held-out data
-
-  /// What counts in comparisons: every free number must earn its place.
-  [[nodiscard]] double merit() const;
+  double total_left = 1.0;   ///< of the total gap on held-out data (HeldOutGaps::leftIn); 1 until it was looked at
+  double merit = 0.0;        ///< what counts in comparisons (Judge::meritOf)
 };
 
 /// The members of a pair, each with its own values; a single cause as it is.
@@ -44,6 +45,9 @@ struct Yardstick {
   double baseline = 0.0;  ///< of the model as it was brought, held-out
   double perfect = 0.0;   ///< of a model that is right but for noise
   double perfect_spread = 0.0;
+
+  /// What there is to explain.
+  [[nodiscard]] double whole() const;
 
   /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one
   /// that loses detections at random cannot come closer than that.
@@ -60,8 +64,13 @@ struct Judge {
   Split split;
   Yardstick yardstick;
 
-  /// Says of a candidate, with the values that it has, what the held-out data say of it.
+  double weight_of_total = 0.0;  ///< of what is left of the total gap, in a merit
+
+  /// Says of a candidate, with the values that it has, what the held-out data say of it; but for its `total_left`.
   void hear(Candidate& candidate) const;
+  /// Explained share (half of it as it is, half excused for the world's own noise), less what is left of the total gap,
+  /// less a price for every free number: it must earn its place.
+  [[nodiscard]] double meritOf(const Candidate& candidate) const;
 };
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
@@ -69,10 +78,10 @@ struct Judge {
                                           const std::vector<WhereRow>& where, core::Progress& progress);
 
 /// Fits the leaders again with more frames and beams, from where they are and from what the residual map suggests, and
-/// judges them again; best merit first. Among those of almost the best merit the smallest discrepancy decides: a world
-/// is excused for its own noise, but not preferred for it.
-void polish(const Judge& judge, std::vector<Candidate>& candidates, const std::vector<WhereRow>& where,
-            const core::Progress& progress);
+/// judges them again, by what they leave of the total gap as well; the leaders come first, by merit, and so do the
+/// rest.
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates,
+            const std::vector<WhereRow>& where, const core::Progress& progress);
 
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);

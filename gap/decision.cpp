@@ -48,14 +48,42 @@ VerdictKind kindOf(CauseKind kind) {
 struct Rest {
   double discrepancy = 1.0;
   double total = 1.0;
-  double shrink = 0.0;  ///< 1 - after/before of the total gap, the noise not subtracted
 };
 
-Rest restOf(const Replay& replay, const HeldOutGaps& gaps, const Candidate& candidate) {
-  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  const double floor = gaps.noiseOf(world), after = gaps.totalIn(world);
-  return {std::max(0.0, 1.0 - candidate.explained),
-          std::max(0.0, (after - floor) / std::max(1e-9, gaps.before().total - floor)), gaps.shrinkTo(after)};
+Rest restOf(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
+
+bool sameForm(const Candidate& a, const Candidate& b) {
+  return a.hypothesis.name == b.hypothesis.name && a.hypothesis.variant == b.hypothesis.variant &&
+         a.hypothesis.sensors == b.hypothesis.sensors;
+}
+
+/// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
+/// nothing: every single cause for which some pair has better values is judged anew with these.
+void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+               const std::vector<WhereRow>& where, std::vector<Candidate>& singles, const core::Progress& progress) {
+  std::vector<Candidate> better;
+  for (const Candidate& single : singles) {
+    Candidate best = single;
+    bool found = false;
+    for (const Candidate& pair : pairs) {
+      for (Candidate& member : membersOf(pair)) {
+        if (!sameForm(member, single)) continue;
+        if (!found) quick.hear(best);
+        found = true;
+        quick.hear(member);
+        if (member.merit > best.merit) best = member;
+      }
+    }
+    if (found && best.values != single.values) better.push_back(std::move(best));
+  }
+  sortByMerit(better);
+  polish(exact, gaps, better, where, progress);
+  for (Candidate& candidate : better) {
+    const auto single =
+        std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) { return sameForm(c, candidate); });
+    if (candidate.merit > single->merit) *single = std::move(candidate);
+  }
+  sortByMerit(singles);
 }
 
 /// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
@@ -82,7 +110,7 @@ std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>
     Candidate rival = candidates[i];
     const std::string& name = rival.hypothesis.name;
     if (name == best.hypothesis.name || std::find(ties.begin(), ties.end(), name) != ties.end()) continue;
-    if (rival.merit() < best.merit() - kHopeless) break;
+    if (rival.merit < best.merit - kHopeless) break;
     ++looked_at;
     judge.hear(rival);  // few beams may have been all that it was judged by so far
     if (rival.discrepancy < best.discrepancy + alike || separation(judge, best, rival) < kApart) ties.push_back(name);
@@ -90,8 +118,8 @@ std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>
   return ties;
 }
 
-bool provesItself(const Significance& significance, const Rest& rest) {
-  return nothingElse(significance) && significance.better_samples >= kMostSamples && rest.shrink > kLeastShrink;
+bool provesItself(const Significance& significance, double shrink) {
+  return nothingElse(significance) && significance.better_samples >= kMostSamples && shrink > kLeastShrink;
 }
 
 }  // namespace
@@ -100,14 +128,14 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
   const std::vector<Candidate>& candidates = decision.singles;
   std::vector<double> confidences(candidates.size(), 0.0);
   if (candidates.empty()) return confidences;
-  const double best = candidates.front().merit();
+  const double best = candidates.front().merit;
   double sum = 0.0;
   std::map<std::string, double> best_of_name;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string& name = candidates[i].hypothesis.name;
     if (best_of_name.count(name)) continue;  // variants of one cause share its belief
     confidences[i] = best_of_name[name] =
-        std::exp(std::min(0.0, candidates[i].merit() - best) / std::max(kBelief, decision.noise));
+        std::exp(std::min(0.0, candidates[i].merit - best) / std::max(kBelief, decision.noise));
     sum += confidences[i];
   }
   const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
@@ -115,14 +143,13 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
   return confidences;
 }
 
-void Decision::name(const Candidate& candidate, double rest_of_total) {
+void Decision::name(const Candidate& candidate) {
   const std::vector<Candidate> members = membersOf(candidate);
   const bool an_effect = std::any_of(members.begin(), members.end(), [](const Candidate& member) {
     return member.hypothesis.kind == CauseKind::kEffect;
   });
   winner = candidate;
   kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().hypothesis.kind);
-  left_of_total = rest_of_total;
 }
 
 std::vector<std::string> Decision::names() const {
@@ -142,39 +169,39 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   Decision decision;
   core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
   decision.singles = rank(quick, hypotheses, where, first);
-  polish(exact, decision.singles, where, progress);
+  polish(exact, gaps, decision.singles, where, progress);
   if (decision.singles.empty()) {
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
     return decision;
   }
-  const Candidate& best = decision.singles.front();
-  const Yardstick& yardstick = exact.yardstick;
-  decision.noise = std::sqrt(2.0) * yardstick.perfect_spread / std::max(1e-9, yardstick.baseline - yardstick.perfect);
+  decision.noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
   const double enough = std::max(kWeakGap, kExplains - 2.0 * decision.noise);
-  const Rest rest = restOf(exact.replay, gaps, best);
-  const Significance significance = significanceOf(exact, best);
-  decision.p_value =
-      std::min(1.0, upperTail(significance.improvement_z) * static_cast<double>(decision.singles.size()));
-  if (!clear && !provesItself(significance, rest)) {
-    decision.kind = VerdictKind::kNone;
-    return decision;
-  }
-  if (clear && rest.total >= kMaterialRest) {
+  if (clear && decision.singles.front().total_left >= kMaterialRest) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
-    polish(exact, pairs, where, progress);
+    learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
+    polish(exact, gaps, pairs, where, progress);
     if (!pairs.empty() && pairs.front().explained >= enough) {
-      const Rest rest_of_pair = restOf(exact.replay, gaps, pairs.front());
-      if (earnsItsSecond(rest, rest_of_pair, decision.noise) && rest_of_pair.total <= kMostRestOfPair &&
-          separation(exact, pairs.front(), best) >= kSecondProven) {
-        decision.name(pairs.front(), rest_of_pair.total);
+      const Candidate &pair = pairs.front(), &best = decision.singles.front();
+      if (earnsItsSecond(restOf(best), restOf(pair), decision.noise) && pair.total_left <= kMostRestOfPair &&
+          separation(exact, pair, best) >= kSecondProven) {
+        decision.name(pair);
         return decision;
       }
     }
   }
+  const Candidate& best = decision.singles.front();
+  const Significance significance = significanceOf(exact, best);
+  decision.p_value =
+      std::min(1.0, upperTail(significance.improvement_z) * static_cast<double>(decision.singles.size()));
+  const World world = worldOf(exact.replay, best.hypothesis, best.values);
+  if (!clear && !provesItself(significance, gaps.shrinkTo(gaps.totalIn(world)))) {
+    decision.kind = VerdictKind::kNone;
+    return decision;
+  }
   // Another program's physics may differ cell by cell and still leave nothing of the gap that anybody would see.
   if (!clear || best.explained >= enough ||
-      (best.explained >= kWeakGap && (rest.total < kLittleRest || nothingElse(significance)))) {
-    decision.name(best, rest.total);
+      (best.explained >= kWeakGap && (best.total_left < kLittleRest || nothingElse(significance)))) {
+    decision.name(best);
     decision.ties = tiesOf(exact, decision.singles);
   }
   return decision;

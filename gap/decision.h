@@ -18,12 +18,11 @@ struct Decision {
   std::vector<Candidate> pairs;     ///< those that were tried, best first
   std::vector<std::string> ties;    ///< causes that the data cannot tell from a single winner
   double noise = 0.0;               ///< standard deviation of an explained share
-  double left_of_total = 1.0;       ///< of the total gap, beyond what a right model keeps, with the winner added
   double p_value = 1.0;             ///< of the best single cause's gain on held-out data, corrected for their number
 
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
-  /// Makes a candidate the winner, which leaves this much of the total gap.
-  void name(const Candidate& candidate, double rest_of_total);
+  /// Makes a candidate the winner.
+  void name(const Candidate& candidate);
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
   [[nodiscard]] std::vector<std::string> names() const;
 };

@@ -26,6 +26,7 @@ constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are ju
 constexpr double kPairBelief = 0.7;       // of a pair that explains everything
 constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
+constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
 constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
@@ -178,7 +179,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   if (decision.winner) {
     verdict.names = decision.names();
     // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
-    const double trust = std::clamp(1.2 - decision.left_of_total, 0.3, 1.0);
+    const double trust = std::clamp(1.2 - decision.winner->total_left, 0.3, 1.0);
     for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
     verdict.indistinguishable_from = decision.ties;
@@ -222,11 +223,12 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
-  const Judge exact = judgeOf(replay, seed, options.without);
+  Judge exact = judgeOf(replay, seed, options.without);
   const Judge quick = few_beams ? Judge{*few_beams, exact.split, yardstickOf(*few_beams, exact.split.held_out)} : exact;
   const std::vector<std::size_t>& held_out = exact.split.held_out.samples;
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
   const HeldOutGaps gaps(replay, held_out, seed);
+  exact.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
 
   Diagnosis diagnosis;
   diagnosis.experiment = experiment.id;

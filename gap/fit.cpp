@@ -17,11 +17,16 @@ constexpr int kRefinements = 70;  // evaluations of the refinement with several 
 constexpr int kBrentBits = 10;    // a thousandth of the bracket
 constexpr std::size_t kCoarseSamples = 4;
 constexpr int kCoarseFrames = 3;
-constexpr double kFirstStep = 0.06;  // of the scaled range
+constexpr int kHalvings = 3;                                       // of the steps of a search along a line
+constexpr double kSharesOfMost[] = {0.003, 0.01, 0.03, 0.1, 0.3};  // at which one number of several is tried alone
+constexpr double kFirstStep = 0.06;                                // of the scaled range
 constexpr double kFirstStep_deg = 1.5;
 constexpr double kReach = 0.12;      // of the scaled range, to both sides of the coarse optimum
 constexpr double kFineReach = 0.04;  // of values that are nearly right
 constexpr double kFineStep = 0.02;
+
+/// Ends of a sector: they may lie anywhere, and nothing is special about zero.
+bool isAzimuth(const FreeParameter& p) { return p.name.starts_with("azimuth_"); }
 
 /// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
 class Scale {
@@ -38,7 +43,7 @@ class Scale {
   }
 
  private:
-  [[nodiscard]] bool straddlesZero() const { return p_.low < 0.0 && p_.high > 0.0 && p_.unit != "deg"; }
+  [[nodiscard]] bool straddlesZero() const { return p_.low < 0.0 && p_.high > 0.0 && !isAzimuth(p_); }
   [[nodiscard]] double bend(double value) const {
     if (p_.logarithmic) return std::log(value);
     return straddlesZero() ? std::asinh(value / (0.01 * p_.high)) : value;
@@ -102,7 +107,7 @@ class Objective {
   [[nodiscard]] std::vector<double> firstSteps(double step) const {
     std::vector<double> steps;
     for (const FreeParameter& p : hypothesis_.parameters) {
-      steps.push_back(p.unit == "deg" ? kFirstStep_deg * step / kFirstStep / (p.high - p.low) : step);
+      steps.push_back(isAzimuth(p) ? kFirstStep_deg * step / kFirstStep / (p.high - p.low) : step);
     }
     return steps;
   }
@@ -126,15 +131,32 @@ struct Point {
   double discrepancy = std::numeric_limits<double>::infinity();
 };
 
+/// Halves the steps beside the best of some points on a line. Where several are equally good (an effect does nothing on
+/// a part of its range), the best value may lie just beyond the last of them.
+void lookBetween(const Objective& objective, std::vector<Point>& points) {
+  for (int round = 0; round < kHalvings; ++round) {
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+    double best = std::numeric_limits<double>::infinity();
+    for (const Point& point : points) best = std::min(best, point.discrepancy);
+    std::vector<Point> between;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const bool left = points[i].discrepancy == best, right = points[i + 1].discrepancy == best;
+      if (left == right) continue;
+      const std::vector<double> middle{0.5 * (points[i].unit[0] + points[i + 1].unit[0])};
+      between.push_back({middle, objective(middle)});
+    }
+    points.insert(points.end(), between.begin(), between.end());
+  }
+}
+
 Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
-  Point best;
-  for (const auto& point : points) {
-    const double value = objective(point);
-    if (value < best.discrepancy) best = {point, value};
-  }
-  return best;
+  std::vector<Point> looked_at;
+  for (const auto& point : points) looked_at.push_back({point, objective(point)});
+  if (objective.dimensions() == 1) lookBetween(objective, looked_at);
+  return *std::min_element(looked_at.begin(), looked_at.end(),
+                           [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
 }
 
 std::vector<double> refineOne(const Objective& objective, double start, double reach) {
@@ -231,6 +253,29 @@ double total(const Replay& replay, const World& world, std::vector<Comparison>& 
   return sum;
 }
 
+/// One number of several alone, the others off: an effect may have several mechanisms, of which only one is at work,
+/// and an even search of the whole range never meets that. Empty if some number has no "off".
+std::vector<std::vector<double>> oneByOne(const Hypothesis& hypothesis) {
+  const auto& parameters = hypothesis.parameters;
+  const auto hasOff = [](const FreeParameter& p) {
+    return !isAzimuth(p) && (p.low <= 0.0 || (p.logarithmic && p.low < 0.001 * p.high));
+  };
+  if (parameters.size() < 2 || !std::all_of(parameters.begin(), parameters.end(), hasOff)) return {};
+  std::vector<double> off;
+  for (const FreeParameter& p : parameters) off.push_back(std::max(0.0, p.low));
+  std::vector<std::vector<double>> points;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    for (const double share : kSharesOfMost) {
+      for (const double most : {parameters[i].high, parameters[i].low}) {
+        if (most == parameters[i].low && most >= 0.0) continue;
+        points.push_back(off);
+        points.back()[i] = std::clamp(share * most, parameters[i].low, parameters[i].high);
+      }
+    }
+  }
+  return points;
+}
+
 Scouted scoutSetups(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                     const core::Progress& progress) {
   Scouted scouted;
@@ -305,7 +350,8 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
   const auto gain = [&](double after) { return before > 0.0 ? 1.0 - after / before : 0.0; };
   const Objective objective(replay, hypothesis, few, progress);
   if (objective.dimensions() == 0) return {{}, gain(objective({}))};
-  std::vector<std::vector<double>> all = starts;
+  std::vector<std::vector<double>> all = oneByOne(hypothesis);
+  all.insert(all.end(), starts.begin(), starts.end());
   std::vector<double> typical;
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);

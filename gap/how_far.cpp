@@ -46,6 +46,7 @@ HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples,
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
   gaps_before_ = gapsTo(baseline);
   before_ = meanOf(gaps_before_);
+  above_noise_ = std::clamp(shrinkTo(noiseOf(replay.baseline())), 0.0, 1.0);
   core::parallelFor(draws_.size(), 1, [&](std::size_t number, std::size_t) {
     draws_[number] = drawn(number);
     draws_[number].before = gapOf(draws_[number], baseline);
@@ -78,6 +79,11 @@ double HeldOutGaps::noiseOf(const World& world) const {
     gaps.push_back(totalGap(replay_.experiment().measurands, other[i], one[i], frames));
   }
   return meanOf(gaps).total;
+}
+
+double HeldOutGaps::leftIn(const World& world) const {
+  const double noise = noiseOf(world);
+  return std::max(0.0, (totalIn(world) - noise) / std::max(1e-9, before_.total - noise));
 }
 
 double HeldOutGaps::shrinkTo(double after) const { return before_.total > 0.0 ? 1.0 - after / before_.total : 0.0; }

@@ -27,6 +27,10 @@ class HeldOutGaps {
   [[nodiscard]] double totalIn(const World& world) const;
   /// The same if that world were right: between two simulations of it.
   [[nodiscard]] double noiseOf(const World& world) const;
+  /// What another world leaves of the gap beyond what it would leave if it were right; 1: nothing is gone.
+  [[nodiscard]] double leftIn(const World& world) const;
+  /// Share of the gap that lies above the noise of the model as it was brought: near 0, `leftIn` is guesswork.
+  [[nodiscard]] double aboveNoise() const noexcept { return above_noise_; }
   /// 1 - after / before.
   [[nodiscard]] double shrinkTo(double after) const;
   [[nodiscard]] After with(const World& world, const core::Progress& progress) const;
@@ -48,6 +52,7 @@ class HeldOutGaps {
   std::uint64_t seed_;
   std::vector<TotalGap> gaps_before_;
   TotalGap before_;
+  double above_noise_ = 0.0;
   std::vector<Drawn> draws_;
 };
 

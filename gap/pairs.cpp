@@ -213,7 +213,7 @@ class PairSearch {
     });
     std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
     std::stable_sort(pairs_.begin(), pairs_.end(),
-                     [](const Fitted& a, const Fitted& b) { return a.candidate.merit() > b.candidate.merit(); });
+                     [](const Fitted& a, const Fitted& b) { return a.candidate.merit > b.candidate.merit; });
   }
 
   const Judge& judge_;
