@@ -149,12 +149,29 @@ void lookBetween(const Objective& objective, std::vector<Point>& points) {
   }
 }
 
+/// Of the best points on a line, the one in their middle: where the data leave a range open (two echoes merge up to
+/// some distance between those that were seen), its ends are the worst guess for other samples.
+Point middleOfBest(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+  const auto best = std::min_element(points.begin(), points.end(),
+                                     [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
+  const auto end = std::find_if(best, points.end(), [&](const Point& p) { return p.discrepancy > best->discrepancy; });
+  const double middle = 0.5 * (best->unit[0] + (end - 1)->unit[0]);
+  return *std::min_element(best, end, [&](const Point& a, const Point& b) {
+    return std::abs(a.unit[0] - middle) < std::abs(b.unit[0] - middle);
+  });
+}
+
 Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
   std::vector<Point> looked_at;
   for (const auto& point : points) looked_at.push_back({point, objective(point)});
-  if (objective.dimensions() == 1) lookBetween(objective, looked_at);
+  if (objective.dimensions() == 1) {
+    for (const double end : {0.0, 1.0}) looked_at.push_back({{end}, objective({end})});
+    lookBetween(objective, looked_at);
+    return middleOfBest(looked_at);
+  }
   return *std::min_element(looked_at.begin(), looked_at.end(),
                            [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
 }
