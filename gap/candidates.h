@@ -63,7 +63,6 @@ struct Judge {
   const Replay& replay;
   Split split;
   Yardstick yardstick;
-
   double weight_of_total = 0.0;  ///< of what is left of the total gap, in a merit
 
   /// Says of a candidate, with the values that it has, what the held-out data say of it; but for its `total_left`.

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "gap/candidates.h"
+#include "tests/gap/small_world.h"
+
+// How the values of a cause are searched, and what counts when causes are compared.
+namespace {
+
+using test_support::SmallWorld;
+
+class Search : public testing::Test {
+ protected:
+  void measure(const SmallWorld::Effects& truth, const std::map<std::string, double>& offset_m = {}) {
+    measured_ = world_.measuredBy(SmallWorld::modelWith(truth), 0.4, offset_m);
+    replay_.emplace(measured_, SmallWorld::modelWith({}));
+    split_ = gap::splitOf(*replay_, 1);
+  }
+  [[nodiscard]] gap::Hypothesis effect(const std::string& name) const {
+    const auto all = gap::hypothesesFor(*replay_, {name});
+    return *std::find_if(all.begin(), all.end(), [&](const gap::Hypothesis& h) { return h.name == name; });
+  }
+  [[nodiscard]] gap::Scouted scouted(const gap::Hypothesis& hypothesis) const {
+    return gap::scout(*replay_, hypothesis, split_.fitted, {}, core::SilentProgress());
+  }
+
+  SmallWorld world_;
+  model::Experiment measured_;
+  std::optional<gap::Replay> replay_;
+  gap::Split split_;
+};
+
+// The threshold is 10 times the noise: factors below do nothing, one of 20 would double it.
+TEST_F(Search, FindsAThresholdThatBeginsToActBetweenTwoStepsOfAnEvenSearch) {
+  measure({{"dynamic-threshold", {{"factor", 10.7}}}});
+  const gap::Scouted found = scouted(effect("dynamic-threshold"));
+  EXPECT_NEAR(found.values[0], 10.7, 0.03 * 10.7);
+}
+
+TEST_F(Search, TriesEachOfSeveralMechanismsAlone) {
+  measure({{"pulse-jitter", {{"duration_stddev_ns", 0.1}}}});
+  const gap::Hypothesis jitter = effect("pulse-jitter");
+  const gap::Scouted found = scouted(jitter);
+  ASSERT_EQ(jitter.parameters[0].name, "duration_stddev_ns");
+  EXPECT_NEAR(found.values[0], 0.1, 0.05);
+  EXPECT_LT(found.values[1], 0.002);  // of the power: off
+}
+
+// Whatever lies between 0.42 and 0.81 is equally right, and an end of it the worst guess for other samples.
+TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
+  measure({}, {{"r8", 0.1}, {"r13", 0.1}, {"r19", 0.1}, {"r27", 0.1}, {"r36", 0.1}, {"r46", 0.1}});
+  gap::Hypothesis gate;
+  gate.name = "gate";
+  gate.parameters = {{"value", "", 0.0, 1.0, false, 0.0}};
+  gate.apply = [](gap::World& world, const std::vector<double>& values) {
+    if (values[0] > 0.42 && values[0] < 0.81) world.references.push_back({"/scene/0/pose/position_m/0", 0.1, {}});
+  };
+  EXPECT_NEAR(scouted(gate).values[0], 0.615, 0.04);
+}
+
+class Merit : public Search {
+ protected:
+  void SetUp() override { measure({}); }
+  /// Of 900 that there are to explain.
+  [[nodiscard]] double of(gap::Candidate candidate, double weight_of_total) const {
+    return gap::Judge{*replay_, split_, {.baseline = 1000.0, .perfect = 100.0, .perfect_spread = 5.0}, weight_of_total}
+        .meritOf(candidate);
+  }
+  [[nodiscard]] static gap::Candidate candidate(double explained, double discrepancy, std::size_t numbers = 0) {
+    gap::Candidate candidate{.explained = explained, .discrepancy = discrepancy};
+    candidate.hypothesis.parameters.resize(numbers);
+    return candidate;
+  }
+};
+
+TEST_F(Merit, ExcusesAWorldForHalfOfItsNoise) {
+  EXPECT_DOUBLE_EQ(of(candidate(1.0, 550.0), 0.0), 0.75);  // half of the way, and all of it but for noise
+}
+
+TEST_F(Merit, FallsWithWhatIsLeftOfTheTotalGap) {
+  gap::Candidate cause = candidate(0.9, 190.0);
+  cause.total_left = 0.5;
+  EXPECT_DOUBLE_EQ(of(cause, 0.3), 0.9 - 0.15);
+  cause.total_left = 7.0;  // twice the gap is as wrong as seven times the gap
+  EXPECT_DOUBLE_EQ(of(cause, 0.3), 0.9 - 0.6);
+}
+
+TEST_F(Merit, EveryFreeNumberCostsHalfTheLogarithmOfTheCells) {
+  EXPECT_NEAR(of(candidate(0.9, 190.0, 8), 0.0), 0.9 - 8 * 4.0 / 900.0, 1e-12);
+}
+
+}  // namespace
