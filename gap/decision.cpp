@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "gap/pairs.h"
 #include "gap/significance.h"
@@ -20,7 +19,6 @@ constexpr double kPairGain = 0.5;        // a pair must halve what its best memb
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
-constexpr double kBelief = 0.05;         // difference of merits that costs a factor e of belief
 constexpr double kMostBelief = 0.9;      // other programs' physics differ from ours: docs/diagnosis.md
 constexpr double kProven = 6.0;          // standard deviations: for a library of sixty causes, and heavy tails
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
@@ -100,22 +98,22 @@ bool nothingElse(const Significance& significance) {
   return significance.improvement_z > kProven && significance.rest_z < kNoRest;
 }
 
-/// Causes that the data cannot tell from the best one.
-std::vector<std::string> tiesOf(const Judge& judge, const std::vector<Candidate>& candidates) {
+/// How well the best one is told from each cause that comes near to it.
+std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
-  const double alike = kTie * (judge.yardstick.baseline - judge.yardstick.perfect);
-  std::vector<std::string> ties;
-  std::size_t looked_at = 0;
-  for (std::size_t i = 1; i < candidates.size() && looked_at < kRivals; ++i) {
-    Candidate rival = candidates[i];
-    const std::string& name = rival.hypothesis.name;
-    if (name == best.hypothesis.name || std::find(ties.begin(), ties.end(), name) != ties.end()) continue;
-    if (rival.merit < best.merit - kHopeless) break;
-    ++looked_at;
-    judge.hear(rival);  // few beams may have been all that it was judged by so far
-    if (rival.discrepancy < best.discrepancy + alike || separation(judge, best, rival) < kApart) ties.push_back(name);
+  const double alike = kTie * judge.yardstick.whole();
+  std::vector<Rival> rivals;
+  for (std::size_t i = 1; i < candidates.size() && rivals.size() < kRivals; ++i) {
+    Candidate candidate = candidates[i];
+    const std::string& name = candidate.hypothesis.name;
+    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == name; });
+    if (name == best.hypothesis.name || known) continue;
+    if (candidate.merit < best.merit - kHopeless) break;
+    judge.hear(candidate);  // few beams may have been all that it was judged by so far
+    const bool same = candidate.discrepancy < best.discrepancy + alike;
+    rivals.push_back({name, same ? 0.0 : std::max(0.0, separation(judge, best, candidate))});
   }
-  return ties;
+  return rivals;
 }
 
 bool provesItself(const Significance& significance, double shrink) {
@@ -128,19 +126,27 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
   const std::vector<Candidate>& candidates = decision.singles;
   std::vector<double> confidences(candidates.size(), 0.0);
   if (candidates.empty()) return confidences;
-  const double best = candidates.front().merit;
-  double sum = 0.0;
-  std::map<std::string, double> best_of_name;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const std::string& name = candidates[i].hypothesis.name;
-    if (best_of_name.count(name)) continue;  // variants of one cause share its belief
-    confidences[i] = best_of_name[name] =
-        std::exp(std::min(0.0, candidates[i].merit - best) / std::max(kBelief, decision.noise));
-    sum += confidences[i];
+  confidences.front() = 1.0;
+  double sum = 1.0;
+  for (const Rival& rival : decision.rivals) {
+    const auto place = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& c) { return c.hypothesis.name == rival.name; });
+    if (place == candidates.end()) continue;
+    const double belief = std::exp(-0.5 * rival.separation * rival.separation);
+    confidences[static_cast<std::size_t>(place - candidates.begin())] = belief;
+    sum += belief;
   }
-  const double trust = std::clamp((best - 0.4) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
+  const double trust = std::clamp((candidates.front().explained - 0.3) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
   for (double& confidence : confidences) confidence *= kMostBelief * trust / sum;
   return confidences;
+}
+
+std::vector<std::string> Decision::ties() const {
+  std::vector<std::string> names;
+  for (const Rival& rival : rivals) {
+    if (rival.separation < kApart) names.push_back(rival.name);
+  }
+  return names;
 }
 
 void Decision::name(const Candidate& candidate) {
@@ -174,15 +180,15 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
     return decision;
   }
-  decision.noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
-  const double enough = std::max(kWeakGap, kExplains - 2.0 * decision.noise);
+  const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
+  const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
   if (clear && decision.singles.front().total_left >= kMaterialRest) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
     if (!pairs.empty() && pairs.front().explained >= enough) {
       const Candidate &pair = pairs.front(), &best = decision.singles.front();
-      if (earnsItsSecond(restOf(best), restOf(pair), decision.noise) && pair.total_left <= kMostRestOfPair &&
+      if (earnsItsSecond(restOf(best), restOf(pair), noise) && pair.total_left <= kMostRestOfPair &&
           separation(exact, pair, best) >= kSecondProven) {
         decision.name(pair);
         return decision;
@@ -202,7 +208,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   if (!clear || best.explained >= enough ||
       (best.explained >= kWeakGap && (best.total_left < kLittleRest || nothingElse(significance)))) {
     decision.name(best);
-    decision.ties = tiesOf(exact, decision.singles);
+    decision.rivals = rivalsOf(exact, decision.singles);
   }
   return decision;
 }

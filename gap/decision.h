@@ -10,16 +10,24 @@
 
 namespace gap {
 
+/// A cause that comes near to the best one.
+struct Rival {
+  std::string name;
+  double separation =
+      0.0;  ///< how much farther from held-out data, in standard deviations of that difference; 0: as near
+};
+
 /// What the search for causes ended with.
 struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
   std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
   std::vector<Candidate> singles;   ///< best first
   std::vector<Candidate> pairs;     ///< those that were tried, best first
-  std::vector<std::string> ties;    ///< causes that the data cannot tell from a single winner
-  double noise = 0.0;               ///< standard deviation of an explained share
+  std::vector<Rival> rivals;        ///< that come near to a single winner
   double p_value = 1.0;             ///< of the best single cause's gain on held-out data, corrected for their number
 
+  /// Causes that the data cannot tell from a single winner.
+  [[nodiscard]] std::vector<std::string> ties() const;
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
   /// Makes a candidate the winner.
   void name(const Candidate& candidate);
@@ -35,8 +43,9 @@ struct Decision {
                               const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
-/// Share of belief of each single candidate: a softmax of merits, times what the best one explains; the rest belongs to
-/// what none of them says. `weak`: no whole sample was held out.
+/// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
+/// would be by chance, exp(-z²/2); the rest belongs to what none of them says, the more the less the best one explains.
+/// `weak`: no whole sample was held out.
 [[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, bool weak);
 
 }  // namespace gap

@@ -182,12 +182,13 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     const double trust = std::clamp(1.2 - decision.winner->total_left, 0.3, 1.0);
     for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
-    verdict.indistinguishable_from = decision.ties;
+    verdict.indistinguishable_from = decision.ties();
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
     const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
     verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
+    for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.limits = limitsOf(judge.replay, judge.split);
 }
