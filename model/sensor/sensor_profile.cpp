@@ -151,8 +151,7 @@ nlohmann::json sensorProfileJson(const nlohmann::json& value, const std::filesys
 void writeOutSensors(nlohmann::json& document, const std::filesystem::path& file) {
   if (document.contains("sensor")) document["sensor"] = sensorProfileJson(document["sensor"], file, "/sensor");
   if (!document.contains("sensors")) return;
-  for (auto& [name, sensor] : document["sensors"].items())
-    sensor = sensorProfileJson(sensor, file, "/sensors/" + name);
+  for (auto& [name, sensor] : document["sensors"].items()) sensor = sensorProfileJson(sensor, file, "/sensors/" + name);
 }
 
 SensorProfile resolveSensorProfile(const nlohmann::json& value, const std::filesystem::path& file,
