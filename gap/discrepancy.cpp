@@ -156,8 +156,8 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Half half
     const CellStatistics &m = measured[c], &s = simulated[c];
     if (m.count == 0.0 && s.count == 0.0) continue;
     const bool surface = c < sample.layout->surfaces();
-    // A rare echo from nowhere, which no world puts into the same beam, is left to extraDiscrepancy; so is one beside an
-    // edge: whether a beam still grazes a bright surface, a millimetre decides, or the number of rays.
+    // A rare echo from nowhere, which no world puts into the same beam, is left to extraDiscrepancy; so is one beside
+    // an edge: whether a beam still grazes a bright surface, a millimetre decides, or the number of rays.
     const bool often =
         std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected && !cells[c].at_edge;
     if (!sample.layout->pooled() && (surface || often)) {
