@@ -14,7 +14,7 @@ namespace gap {
 namespace {
 
 constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
-constexpr int kBrentBits = 10;    // a thousandth of the bracket
+constexpr int kBrentBits = 13;    // 1e-4 of the scaled range: coarser, and refits would end where they began
 constexpr std::size_t kCoarseSamples = 4;
 constexpr int kCoarseFrames = 3;
 constexpr int kHalvings = 3;                                       // of the steps of a search along a line
