@@ -1,5 +1,6 @@
 #include "proposals/propose.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 #include "acceptance/evaluate.h"
@@ -80,6 +81,11 @@ TEST_F(Propose, TheTestFailsWithTheModelAsItWasAndPassesWithTheCause) {
 
 TEST_F(Propose, WithoutAProposedModelTheLimitLiesBetweenTheReportsMeansAndSaysSo) {
   report.proposed_model = nullptr;
+  const auto epw =
+      std::find_if(report.gaps.begin(), report.gaps.end(), [](const auto& gap) { return gap.name == "epw"; });
+  ASSERT_NE(epw, report.gaps.end());
+  epw->bias = 0.366;
+  epw->bias_after = 0.001;
   const auto proposed = propose(report).proposals;
   ASSERT_TRUE(proposed.back().test);
   EXPECT_EQ(proposed.back().test->expression, "abs(d_bias) <= 0.18");  // half of 0.366 and 0.001, two digits
