@@ -24,10 +24,9 @@ std::vector<NamedWorld> worldsOf(const Replay& replay, const Decision& decision,
   candidates.insert(candidates.end(), decision.singles.begin(), decision.singles.end());
   std::vector<NamedWorld> worlds;
   for (const Cause& cause : causes) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-      return c.hypothesis.name == cause.name && c.hypothesis.variant == cause.variant &&
-             c.hypothesis.sensors == cause.sensors;
-    });
+    const Form form = {cause.name, cause.variant, cause.sensors};
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& c) { return formOf(c.hypothesis) == form; });
     if (found != candidates.end()) worlds.push_back({cause.name, worldOf(replay, found->hypothesis, found->values)});
   }
   return worlds;

@@ -92,10 +92,7 @@ double Judge::meritOf(const Candidate& candidate) const {
          weight_of_total * std::min(kMostLeft, candidate.total_left);
 }
 
-void sortByMerit(std::vector<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.merit > b.merit; });
-}
+void sortByMerit(std::vector<Candidate>& candidates) { std::stable_sort(candidates.begin(), candidates.end(), better); }
 
 std::vector<Candidate> membersOf(const Candidate& candidate) {
   if (candidate.hypothesis.members.empty()) return {candidate};
@@ -204,8 +201,7 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
     judge.hear(candidate);
   });
   const auto behind = candidates.begin() + static_cast<std::ptrdiff_t>(leaders);
-  std::stable_sort(candidates.begin(), behind,
-                   [](const Candidate& a, const Candidate& b) { return a.merit > b.merit; });
+  std::stable_sort(candidates.begin(), behind, better);
   // What was not looked at closely is no better than what was.
   const double of_last = (behind - 1)->merit;
   std::for_each(behind, candidates.end(),

@@ -82,6 +82,7 @@ struct Judge {
 void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates,
             const std::vector<WhereRow>& where, const core::Progress& progress);
 
+[[nodiscard]] inline bool better(const Candidate& a, const Candidate& b) { return a.merit > b.merit; }
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/grouped.h"
 #include "core/physics.h"
 #include "gap/statistics.h"
 
@@ -178,25 +179,21 @@ void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
 }
 
 std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) const {
-  // Detections by cell, in one array: those of cell c are order[first[c] … first[c + 1]).
-  std::vector<std::size_t> cell_of(values.size()), first(cells_.size() + 1, 0), order(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    ++first[(cell_of[i] = cellOf(values[i].beam, values[i].of[kRange])) + 1];
-  for (std::size_t c = 0; c < cells_.size(); ++c) first[c + 1] += first[c];
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < values.size(); ++i) order[next[cell_of[i]]++] = i;
+  std::vector<std::size_t> cell_of(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) cell_of[i] = cellOf(values[i].beam, values[i].of[kRange]);
+  if (pooled_) return cell_of;
 
+  const core::Grouped by_cell(cell_of, cells_.size());
   std::vector<double> ranges;
-  for (std::size_t c = 0; c < surfaces_ && !pooled_; ++c) {
-    if (first[c + 1] - first[c] < kFewForAMedian) continue;
+  for (std::size_t c = 0; c < surfaces_; ++c) {
+    if (by_cell.of(c).size() < kFewForAMedian) continue;
     ranges.clear();
-    for (std::size_t k = first[c]; k < first[c + 1]; ++k) ranges.push_back(values[order[k]].of[kRange]);
+    for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
     const double median = medianOf(ranges);
     for (double& range : ranges) range = std::abs(range - median);
     const double tolerance = std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges));
-    for (std::size_t k = first[c]; k < first[c + 1]; ++k) {
-      const Value& value = values[order[k]];
-      if (std::abs(value.of[kRange] - median) > tolerance) cell_of[order[k]] = surfaces_ + value.beam;
+    for (const std::uint32_t i : by_cell.of(c)) {
+      if (std::abs(values[i].of[kRange] - median) > tolerance) cell_of[i] = surfaces_ + values[i].beam;
     }
   }
   return cell_of;

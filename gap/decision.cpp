@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gap/pairs.h"
 #include "gap/significance.h"
@@ -50,36 +51,33 @@ struct Rest {
 
 Rest restOf(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
 
-bool sameForm(const Candidate& a, const Candidate& b) {
-  return a.hypothesis.name == b.hypothesis.name && a.hypothesis.variant == b.hypothesis.variant &&
-         a.hypothesis.sensors == b.hypothesis.sensors;
-}
-
 /// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
 /// nothing: every single cause for which some pair has better values is judged anew with these.
 void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                const std::vector<WhereRow>& where, std::vector<Candidate>& singles, const core::Progress& progress) {
-  std::vector<Candidate> better;
-  for (const Candidate& single : singles) {
-    Candidate best = single;
-    bool found = false;
-    for (const Candidate& pair : pairs) {
-      for (Candidate& member : membersOf(pair)) {
-        if (!sameForm(member, single)) continue;
-        if (!found) quick.hear(best);
-        found = true;
-        quick.hear(member);
-        if (member.merit > best.merit) best = member;
-      }
-    }
-    if (found && best.values != single.values) better.push_back(std::move(best));
+  std::map<Form, std::vector<Candidate>> members;
+  for (const Candidate& pair : pairs) {
+    for (Candidate& member : membersOf(pair)) members[formOf(member.hypothesis)].push_back(std::move(member));
   }
-  sortByMerit(better);
-  polish(exact, gaps, better, where, progress);
-  for (Candidate& candidate : better) {
-    const auto single =
-        std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) { return sameForm(c, candidate); });
-    if (candidate.merit > single->merit) *single = std::move(candidate);
+  std::vector<Candidate> improved;
+  for (const Candidate& single : singles) {
+    const auto found = members.find(formOf(single.hypothesis));
+    if (found == members.end()) continue;
+    Candidate best = single;
+    quick.hear(best);
+    for (Candidate& member : found->second) {
+      quick.hear(member);
+      if (better(member, best)) best = std::move(member);
+    }
+    if (best.values != single.values) improved.push_back(std::move(best));
+  }
+  sortByMerit(improved);
+  polish(exact, gaps, improved, where, progress);
+  for (Candidate& candidate : improved) {
+    const auto single = std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) {
+      return formOf(c.hypothesis) == formOf(candidate.hypothesis);
+    });
+    if (better(candidate, *single)) *single = std::move(candidate);
   }
   sortByMerit(singles);
 }

@@ -20,7 +20,6 @@ namespace {
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;    // of the gap being present at all
 constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
-constexpr double kMaterialTotal = 1.5;    // times the total gap of a right model
 constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
 constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are judged: more cost minutes and tell no more
 constexpr double kPairBelief = 0.7;       // of a pair that explains everything
@@ -58,6 +57,37 @@ Cause toCause(const Candidate& candidate) {
   return cause;
 }
 
+/// What is known of the gap before any cause is tried.
+Diagnosis withoutCauses(const Judge& judge, const HeldOutGaps& gaps, const WhereResult& where) {
+  Diagnosis diagnosis;
+  diagnosis.where = where.rows;
+  diagnosis.weak_hold_out = judge.split.weak;
+  for (const std::size_t s : judge.split.held_out.samples)
+    diagnosis.held_out.push_back(judge.replay.samples()[s].sample->id);
+  diagnosis.p_value = upperTail(judge.yardstick.z());
+  diagnosis.before = gaps.before();
+  diagnosis.bias_intervals = gaps.biasIntervals();
+  return diagnosis;
+}
+
+/// The baseline, if nothing was found.
+World winnersWorld(const Replay& replay, const Decision& decision) {
+  return decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
+}
+
+/// The total gap with the winner added; where it is none the smaller for it, the winner only fitted single cells, and
+/// is none.
+After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
+                    core::Progress& progress) {
+  progress.report(0.86, "measuring how far the gap shrinks");
+  After after = gaps.with(winnersWorld(replay, decision), progress);
+  if (decision.winner && after.shrink.fraction <= 0.0) {
+    decision.winner.reset();
+    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
+  }
+  return after;
+}
+
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
 void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, Diagnosis& diagnosis,
                 const core::Progress& progress) {
@@ -84,32 +114,6 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
     if (is_winner) continue;
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
     diagnosis.causes.back().shrink = gaps.with(world, progress).shrink;
-  }
-}
-
-/// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.
-void fillWinner(const Judge& quick, const Decision& decision, const World& world, const After& after,
-                Diagnosis& diagnosis, core::Progress& progress) {
-  diagnosis.after = after.gap;
-  diagnosis.shrink = after.shrink;
-  diagnosis.held_out_totals = after.samples;
-  progress.report(0.92, "intervals of the parameters");
-  const auto intervals = parameterIntervals(quick.replay, decision.winner->hypothesis, decision.winner->values,
-                                            quick.split.refined, progress);
-  std::size_t used = 0;
-  for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) {
-    Cause& cause = diagnosis.causes[c];
-    cause.shrink = after.shrink;
-    for (FittedParameter& parameter : cause.parameters) {
-      if (used >= intervals.size()) break;
-      parameter.interval = intervals[used++];
-    }
-  }
-  if (diagnosis.approximation) return;  // the model under test has no effects that a file could name
-  // Materials and references stand in the experiment; what belongs to the model is proposed even beside them.
-  if (world.model.json != quick.replay.baseline().model.json) {
-    diagnosis.proposed_model = world.model.json;
-    diagnosis.proposed_model["id"] = world.model.id + "-proposed";
   }
 }
 
@@ -145,6 +149,34 @@ std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision&
   return next;
 }
 
+/// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.
+void fillWinner(const Judge& quick, const Judge& exact, const Decision& decision, const After& after,
+                Diagnosis& diagnosis, core::Progress& progress) {
+  diagnosis.after = after.gap;
+  diagnosis.shrink = after.shrink;
+  diagnosis.held_out_totals = after.samples;
+  diagnosis.next_experiment = nextExperiment(exact, decision);
+  progress.report(0.92, "intervals of the parameters");
+  const auto intervals = parameterIntervals(quick.replay, decision.winner->hypothesis, decision.winner->values,
+                                            quick.split.refined, progress);
+  std::size_t used = 0;
+  for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) {
+    Cause& cause = diagnosis.causes[c];
+    cause.shrink = after.shrink;
+    for (FittedParameter& parameter : cause.parameters) {
+      if (used >= intervals.size()) break;
+      parameter.interval = intervals[used++];
+    }
+  }
+  if (diagnosis.approximation) return;  // the model under test has no effects that a file could name
+  // Materials and references stand in the experiment; what belongs to the model is proposed even beside them.
+  const World world = winnersWorld(quick.replay, decision);
+  if (world.model.json != quick.replay.baseline().model.json) {
+    diagnosis.proposed_model = world.model.json;
+    diagnosis.proposed_model["id"] = world.model.id + "-proposed";
+  }
+}
+
 /// Few data never make a verdict that anybody should rely upon, whatever they seem to say.
 void heedLimits(Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
@@ -174,8 +206,21 @@ Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without)
   return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
 }
 
+/// Maps, curves, and what each cause would be taken for.
+void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Decision& decision,
+                  Diagnosis& diagnosis) {
+  const Evidence& held_out = exact.split.held_out;
+  const World world = winnersWorld(exact.replay, decision);
+  diagnosis.maps = residualMaps(exact.replay, where.tables);
+  diagnosis.curves = beforeAfterValues(exact.replay, where.tables, held_out.samples, decision.winner ? &world : nullptr,
+                                       held_out.seed);
+  diagnosis.confusion = confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), held_out);
+}
+
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
+  verdict.kind = decision.kind;
+  diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();
     // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
@@ -226,50 +271,31 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   progress.report(0.05, "comparing with the baseline");
   Judge exact = judgeOf(replay, seed, options.without);
   const Judge quick = few_beams ? Judge{*few_beams, exact.split, yardstickOf(*few_beams, exact.split.held_out)} : exact;
-  const std::vector<std::size_t>& held_out = exact.split.held_out.samples;
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
-  const HeldOutGaps gaps(replay, held_out, seed);
+  const HeldOutGaps gaps(replay, exact.split.held_out.samples, seed);
   exact.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
 
-  Diagnosis diagnosis;
+  Diagnosis diagnosis = withoutCauses(exact, gaps, where);
   diagnosis.experiment = experiment.id;
   diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();
-  diagnosis.where = where.rows;
-  diagnosis.weak_hold_out = exact.split.weak;
-  for (const std::size_t s : held_out) diagnosis.held_out.push_back(replay.samples()[s].sample->id);
-  diagnosis.p_value = upperTail(exact.yardstick.z());
-  diagnosis.before = gaps.before();
-  diagnosis.bias_intervals = gaps.biasIntervals();
-  const bool material =
-      where.largest_steps >= kMaterialSteps || gaps.before().total > kMaterialTotal * gaps.noiseOf(replay.baseline());
+  const bool material = where.largest_steps >= kMaterialSteps || gaps.material();
   const bool clear = diagnosis.p_value < kSignificance && material;
   const auto hypotheses = options.without.applied(hypothesesFor(quick.replay, options.library));
   Decision decision = decide(quick, exact, gaps, clear, where.rows, hypotheses, progress);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
-  progress.report(0.86, "measuring how far the gap shrinks");
-  const World world =
-      decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
-  const After after = gaps.with(world, progress);
-  if (decision.winner &&
-      after.shrink.fraction <= 0.0) {  // it fits single cells, and the gap is none the smaller for it
-    decision.winner.reset();
-    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
-  }
-  diagnosis.verdict.kind = decision.kind;
-  diagnosis.present = decision.kind != VerdictKind::kNone;
-  if (given.external) diagnosis.approximation = approximationOf(replay, held_out, seed, diagnosis.present);
-  if (!diagnosis.present) decision.singles.clear();  // where nothing is to be explained, nothing has a cause
-  if (!clear && diagnosis.present) diagnosis.p_value = decision.p_value;
+  const After after = provenOnTotal(gaps, replay, clear, decision, progress);
+  if (decision.kind == VerdictKind::kNone)
+    decision.singles.clear();  // where nothing is to be explained, nothing has a cause
+  if (!clear && decision.kind != VerdictKind::kNone) diagnosis.p_value = decision.p_value;
+  if (given.external)
+    diagnosis.approximation =
+        approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);
   fillCauses(exact, gaps, decision, diagnosis, progress);
-  if (decision.winner) fillWinner(quick, decision, world, after, diagnosis, progress);
-  diagnosis.maps = residualMaps(replay, where.tables);
-  diagnosis.curves = beforeAfterValues(replay, where.tables, held_out, decision.winner ? &world : nullptr, seed);
-  diagnosis.confusion =
-      confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), exact.split.held_out);
+  if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
+  fillPictures(quick, exact, where, decision, diagnosis);
   fillVerdict(exact, decision, diagnosis);
-  if (decision.winner) diagnosis.next_experiment = nextExperiment(exact, decision);
   diagnosis.notes = notesOn(replay);
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);

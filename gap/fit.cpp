@@ -13,8 +13,10 @@ namespace gap {
 
 namespace {
 
-constexpr int kRefinements = 70;  // evaluations of the refinement with several parameters
-constexpr int kBrentBits = 13;    // 1e-4 of the scaled range: coarser, and refits would end where they began
+constexpr int kRefinements = 70;      // evaluations of the refinement with several parameters
+constexpr int kBrentBits = 13;        // 1e-4 of the scaled range: coarser, and refits would end where they began
+constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
+constexpr unsigned kPlacesOfSeveral = 10;
 constexpr std::size_t kCoarseSamples = 4;
 constexpr int kCoarseFrames = 3;
 constexpr int kHalvings = 3;                                       // of the steps of a search along a line
@@ -391,11 +393,12 @@ std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, 
   return searched(objective, objective.unitOf(start), kReach, kFirstStep);
 }
 
-std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis, unsigned count) {
+std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis) {
   std::vector<Scale> scales;
   for (const FreeParameter& parameter : hypothesis.parameters) scales.emplace_back(parameter);
-  if (scales.empty()) return {{}};
-  std::vector<std::vector<double>> points = coarsePoints(scales.size(), count);
+  if (scales.empty()) return {};
+  std::vector<std::vector<double>> points =
+      coarsePoints(scales.size(), scales.size() == 1 ? kPlacesOfOne : kPlacesOfSeveral);
   for (auto& point : points) {
     for (std::size_t d = 0; d < scales.size(); ++d) point[d] = scales[d].toValue(point[d]);
   }

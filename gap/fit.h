@@ -47,8 +47,8 @@ struct Scouted {
 [[nodiscard]] std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                           const std::vector<double>& start, const core::Progress& progress);
 
-/// Values spread evenly over the plausible range of a hypothesis: as many points, or one if it has no free number.
-[[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis, unsigned count);
+/// Some values spread evenly over the plausible range of a hypothesis; none if it has no free number.
+[[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis);
 
 /// Searches the neighbourhood of values that are nearly right, on all frames that the evidence allows.
 [[nodiscard]] std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kResamples = 60;
 constexpr std::size_t kNoiseRefits = 4;
+constexpr double kMaterialTotal = 1.5;  // times the total gap of a right model
+
+double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
 
 double quantile(std::vector<double> values, double p) {
   std::sort(values.begin(), values.end());
@@ -46,7 +49,7 @@ HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples,
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
   gaps_before_ = gapsTo(baseline);
   before_ = meanOf(gaps_before_);
-  above_noise_ = std::clamp(shrinkTo(noiseOf(replay.baseline())), 0.0, 1.0);
+  noise_ = noiseOf(replay.baseline());
   core::parallelFor(draws_.size(), 1, [&](std::size_t number, std::size_t) {
     draws_[number] = drawn(number);
     draws_[number].before = gapOf(draws_[number], baseline);
@@ -86,7 +89,11 @@ double HeldOutGaps::leftIn(const World& world) const {
   return std::max(0.0, (totalIn(world) - noise) / std::max(1e-9, before_.total - noise));
 }
 
-double HeldOutGaps::shrinkTo(double after) const { return before_.total > 0.0 ? 1.0 - after / before_.total : 0.0; }
+double HeldOutGaps::shrinkTo(double after) const { return shrinkOf(before_.total, after); }
+
+double HeldOutGaps::aboveNoise() const { return std::clamp(shrinkTo(noise_), 0.0, 1.0); }
+
+bool HeldOutGaps::material() const noexcept { return before_.total > kMaterialTotal * noise_; }
 
 HeldOutGaps::Drawn HeldOutGaps::drawn(std::size_t number) const {
   core::Random random(
@@ -132,8 +139,7 @@ After HeldOutGaps::with(const World& world, const core::Progress& progress) cons
   std::vector<double> shrinks(draws_.size());
   core::parallelFor(draws_.size(), 1, [&](std::size_t d, std::size_t) {
     core::stopIfCancelled(progress);
-    const double before = draws_[d].before.total;
-    shrinks[d] = before > 0.0 ? 1.0 - gapOf(draws_[d], detections).total / before : 0.0;
+    shrinks[d] = shrinkOf(draws_[d].before.total, gapOf(draws_[d], detections).total);
   });
   after.shrink.interval = central95(shrinks);
   return after;

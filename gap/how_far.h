@@ -30,7 +30,9 @@ class HeldOutGaps {
   /// What another world leaves of the gap beyond what it would leave if it were right; 1: nothing is gone.
   [[nodiscard]] double leftIn(const World& world) const;
   /// Share of the gap that lies above the noise of the model as it was brought: near 0, `leftIn` is guesswork.
-  [[nodiscard]] double aboveNoise() const noexcept { return above_noise_; }
+  [[nodiscard]] double aboveNoise() const;
+  /// The gap is larger than what a right model would leave, so much so that it is worth a cause.
+  [[nodiscard]] bool material() const noexcept;
   /// 1 - after / before.
   [[nodiscard]] double shrinkTo(double after) const;
   [[nodiscard]] After with(const World& world, const core::Progress& progress) const;
@@ -52,7 +54,7 @@ class HeldOutGaps {
   std::uint64_t seed_;
   std::vector<TotalGap> gaps_before_;
   TotalGap before_;
-  double above_noise_ = 0.0;
+  double noise_ = 0.0;  ///< of the model as it was brought
   std::vector<Drawn> draws_;
 };
 

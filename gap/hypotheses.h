@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "gap/replay.h"
@@ -34,6 +35,10 @@ struct Hypothesis {
   std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
   std::vector<Hypothesis> members;   ///< of a pair, in the order of its parameters; empty for a single cause
 };
+
+/// What tells a cause from all others of a search: name, variant, sensors.
+using Form = std::tuple<std::string, std::string, std::vector<std::string>>;
+[[nodiscard]] inline Form formOf(const Hypothesis& h) { return {h.name, h.variant, h.sensors}; }
 
 /// Everything that the library offers for this experiment and model: effects that the model lacks, parameters of
 /// sensor, materials and active effects, reference quantities. `only` names effects (empty: all).

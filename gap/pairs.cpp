@@ -25,8 +25,6 @@ constexpr std::size_t kPartnered = 2;                                     // sin
 constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of the recorded emitter power
 constexpr int kExchanges = 2;
 constexpr std::size_t kScoutBeams = 120;
-constexpr unsigned kValuesOfOne = 7;  // at which the signature of a cause with one number is taken
-constexpr unsigned kValuesOfSeveral = 10;
 
 /// A cause at certain values.
 struct Atom {
@@ -98,10 +96,7 @@ class PairSearch {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
       if (hypothesis.per_setup) continue;
       atoms.push_back({i, singles_[i].values});
-      const std::size_t numbers = hypothesis.parameters.size();
-      if (numbers == 0) continue;
-      for (auto& values : valuesAllOver(hypothesis, numbers == 1 ? kValuesOfOne : kValuesOfSeveral))
-        atoms.push_back({i, std::move(values)});
+      for (auto& values : valuesAllOver(hypothesis)) atoms.push_back({i, std::move(values)});
       for (auto& values : startsFrom(judge_.replay, hypothesis, rest)) atoms.push_back({i, std::move(values)});
     }
     return atoms;
@@ -213,7 +208,7 @@ class PairSearch {
     });
     std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
     std::stable_sort(pairs_.begin(), pairs_.end(),
-                     [](const Fitted& a, const Fitted& b) { return a.candidate.merit > b.candidate.merit; });
+                     [](const Fitted& a, const Fitted& b) { return better(a.candidate, b.candidate); });
   }
 
   const Judge& judge_;

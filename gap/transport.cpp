@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/grouped.h"
 #include "core/random.h"
 
 namespace gap {
@@ -12,23 +13,9 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Shots of each cell, in their order, as one list: those of cell c are order[first[c] … first[c + 1]).
-struct ByCell {
-  std::vector<std::size_t> first;
-  Indices order;
-
-  ByCell(const std::vector<model::Shot>& shots, const CellLayout& layout)
-      : first(layout.cells().size() + 1, 0), order(shots.size()) {
-    const std::vector<std::size_t> cells = layout.cellsOf(shots);
-    for (const std::size_t cell : cells) ++first[cell + 1];
-    for (std::size_t c = 0; c + 1 < first.size(); ++c) first[c + 1] += first[c];
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t i = 0; i < shots.size(); ++i) order[next[cells[i]]++] = i;
-  }
-  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t cell) const {
-    return std::span(order).subspan(first[cell], first[cell + 1] - first[cell]);
-  }
-};
+core::Grouped byCell(const std::vector<model::Shot>& shots, const CellLayout& layout) {
+  return {layout.cellsOf(shots), layout.cells().size()};
+}
 
 constexpr double model::Shot::*kValues[] = {&model::Shot::range_m, &model::Shot::epw_m, &model::Shot::intensity_nw};
 
@@ -164,7 +151,7 @@ std::vector<model::Shot> framesFrom(const ForeignFrames& recording, int wanted, 
 
 std::vector<model::Shot> transported(const std::vector<model::Shot>& foreign, const std::vector<model::Shot>& from,
                                      const std::vector<model::Shot>& to, const CellLayout& layout, std::uint64_t seed) {
-  const ByCell of_foreign(foreign, layout), of_from(from, layout), of_to(to, layout);
+  const core::Grouped of_foreign = byCell(foreign, layout), of_from = byCell(from, layout), of_to = byCell(to, layout);
   std::vector<model::Shot> out;
   out.reserve(foreign.size());
   CellTransport transport(foreign, from, to, seed, out);

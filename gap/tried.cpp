@@ -18,8 +18,6 @@ constexpr double kFar = 20.0;           // errors: of a surface that only one si
 constexpr double kOftenDetected = 0.3;  // of the shots: rarer than this such a surface is no more than its rate
 constexpr std::size_t kSignatureSamples = 4;
 constexpr int kSignatureFrames = 4;
-constexpr unsigned kValuesOfOne = 7;  // at which the signature of a cause with one number is taken
-constexpr unsigned kValuesOfSeveral = 10;
 constexpr int kDigits = 8;  // of numbers in the list
 
 /// Sum of z² over terms, and how many they are.
@@ -73,11 +71,8 @@ double cosineOf(const Signature& a, const Signature& b) {
 
 /// At values all over its range, and at those that were fitted.
 double similarityOf(const Replay& replay, const SignatureSpace& space, const Candidate& candidate) {
-  const std::size_t numbers = candidate.hypothesis.parameters.size();
-  std::vector<std::vector<double>> places{candidate.values};
-  if (numbers > 0)
-    for (auto& values : valuesAllOver(candidate.hypothesis, numbers == 1 ? kValuesOfOne : kValuesOfSeveral))
-      places.push_back(std::move(values));
+  std::vector<std::vector<double>> places = valuesAllOver(candidate.hypothesis);
+  places.push_back(candidate.values);
   double best = -1.0;
   for (const auto& values : places)
     best = std::max(best, cosineOf(space.of(worldOf(replay, candidate.hypothesis, values)), space.ofMeasurement()));

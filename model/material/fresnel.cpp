@@ -20,6 +20,14 @@ double onWay(const Pane& pane, double cos_incidence) {
   return inside > 0.0 ? std::pow(pane.internal_transmittance, 1.0 / inside) : 0.0;
 }
 
+/// Without absorption every number is real: C++ takes its time to divide complex ones.
+Polarised dielectricReflectance(double c, double n) {
+  const double inside = std::sqrt(1.0 - (1.0 - c * c) / (n * n));
+  const double s = (c - n * inside) / (c + n * inside);
+  const double p = (n * c - inside) / (n * c + inside);
+  return {s * s, p * p};
+}
+
 double paneReflectance(double face, double way) {
   const double loops = 1.0 - face * face * way * way;
   return loops > 0.0 ? face + (1.0 - face) * (1.0 - face) * face * way * way / loops : 1.0;
@@ -34,6 +42,7 @@ double paneTransmittance(double face, double way) {
 
 Polarised fresnelReflectance(double cos_incidence, ComplexIndex index) {
   const double c = std::clamp(cos_incidence, 0.0, 1.0);
+  if (index.imag() == 0.0 && index.real() >= 1.0) return dielectricReflectance(c, index.real());
   const ComplexIndex cos_inside = std::sqrt(1.0 - (1.0 - c * c) / (index * index));
   const ComplexIndex s = (c - index * cos_inside) / (c + index * cos_inside);
   const ComplexIndex p = (index * c - cos_inside) / (index * c + cos_inside);
