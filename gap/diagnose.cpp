@@ -217,6 +217,21 @@ void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& whe
   diagnosis.confusion = confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), held_out);
 }
 
+/// Of the winner; of the best cause where none was found good enough.
+VerdictEvidence evidenceOf(const Judge& judge, const Decision& decision) {
+  VerdictEvidence evidence{.gap_z = judge.yardstick.z()};
+  if (decision.singles.empty()) return evidence;
+  const Candidate& best = decision.winner ? *decision.winner : decision.singles.front();
+  evidence.explained = best.explained;
+  evidence.total_left = best.total_left;
+  const auto& rivals = decision.pair() ? decision.pairs : decision.singles;
+  const auto next = std::find_if(rivals.begin(), rivals.end(), [&](const Candidate& candidate) {
+    return candidate.hypothesis.name != best.hypothesis.name;
+  });
+  if (next != rivals.end()) evidence.lead = best.merit - next->merit;
+  return evidence;
+}
+
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
@@ -235,6 +250,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
+  verdict.evidence = evidenceOf(judge, decision);
   verdict.limits = limitsOf(judge.replay, judge.split);
 }
 
@@ -294,8 +310,10 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
         approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);
   fillCauses(exact, gaps, decision, diagnosis, progress);
   if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
-  fillPictures(quick, exact, where, decision, diagnosis);
   fillVerdict(exact, decision, diagnosis);
+  fillPictures(quick, exact, where, decision, diagnosis);
+  if (diagnosis.present)
+    diagnosis.rest = restOf(replay, exact.split, where, whereIn(replay, winnersWorld(replay, decision), seed));
   diagnosis.notes = notesOn(replay);
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);

@@ -10,6 +10,7 @@
 #include "gap/confusion.h"
 #include "gap/hypotheses.h"
 #include "gap/proxy.h"
+#include "gap/rest.h"
 #include "gap/total_gap.h"
 #include "gap/tried.h"
 #include "gap/twice_judged_test.h"
@@ -91,11 +92,20 @@ struct BeforeAfterValues {
 enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 [[nodiscard]] std::string toString(VerdictKind kind);
 
+/// What speaks for the best cause (or pair), on held-out data.
+struct VerdictEvidence {
+  double explained = 0.0;   ///< share of the explainable discrepancy
+  double total_left = 1.0;  ///< of the total gap, beyond what a right model leaves (HeldOutGaps::leftIn)
+  double lead = 0.0;        ///< of its merit (Judge::meritOf) over that of the next cause of another name
+  double gap_z = 0.0;       ///< of the gap before any cause was added, in standard deviations of noise
+};
+
 struct Verdict {
   VerdictKind kind = VerdictKind::kUnknown;
   std::vector<std::string> names;
   double confidence = 0.0;
   std::vector<std::string> indistinguishable_from;
+  VerdictEvidence evidence;
   std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;
 };
@@ -141,6 +151,7 @@ struct Diagnosis {
   std::vector<ResidualMap> maps;          ///< of the samples that deviate most, both components of a measurand
   std::vector<BeforeAfterValues> curves;  ///< of the measurand that deviates most, up to three held-out samples
   nlohmann::json proposed_model;          ///< null if the verdict names nothing that a model file can hold
+  std::optional<Rest> rest;               ///< what the verdict leaves unexplained, if there is a gap
   Confusion confusion;                    ///< of the causes, in their order
   Background background;
   std::vector<Tried> tried;                                      ///< every hypothesis, if DiagnoseOptions::list_tried

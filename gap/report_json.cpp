@@ -94,6 +94,32 @@ Json shrinkJson(const Diagnosis& diagnosis) {
           {"samples", samples}};
 }
 
+Json toJson(const VerdictEvidence& evidence) {
+  return {{"explained", evidence.explained},
+          {"total_left", evidence.total_left},
+          {"lead", evidence.lead},
+          {"gap_z", evidence.gap_z}};
+}
+
+Json toJson(const Law& law) {
+  Json terms = Json::array();
+  for (const Law::Term& term : law.terms)
+    terms.push_back({{"covariate", term.covariate}, {"function", term.function}, {"coefficient", term.coefficient}});
+  return {{"measurand", law.measurand},
+          {"component", law.component},
+          {"unit", law.unit},
+          {"constant", law.constant},
+          {"terms", terms},
+          {"explained", law.explained},
+          {"text", formulaOf(law)}};
+}
+
+Json toJson(const Rest& rest) {
+  Json laws = Json::array();
+  for (const Law& law : rest.laws) laws.push_back(toJson(law));
+  return {{"left", rest.left}, {"systematic", rest.systematic}, {"ceiling", rest.ceiling()}, {"laws", laws}};
+}
+
 Json flipsJson(const std::vector<TwiceJudgedTest>& tests) {
   Json flips = Json::array();
   for (const TwiceJudgedTest& test : tests) {
@@ -148,6 +174,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                    {"names", diagnosis.verdict.names},
                    {"confidence", diagnosis.verdict.confidence},
                    {"indistinguishable_from", diagnosis.verdict.indistinguishable_from},
+                   {"evidence", toJson(diagnosis.verdict.evidence)},
                    {"limits", diagnosis.verdict.limits},
                    {"text", diagnosis.verdict.text}}},
                  {"causes", causes}};
@@ -159,6 +186,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                                  {"parameters", diagnosis.next_experiment->parameters},
                                  {"predictions", predictionsJson(*diagnosis.next_experiment)}};
   }
+  if (diagnosis.rest) report["rest"] = toJson(*diagnosis.rest);
   if (diagnosis.approximation) report["approximation"] = toJson(*diagnosis.approximation);
   report["notes"] = diagnosis.notes;
   if (diagnosis.acceptance_tests) report["acceptance_flips"] = flipsJson(*diagnosis.acceptance_tests);

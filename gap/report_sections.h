@@ -12,6 +12,7 @@ namespace gap {
 void addAnswer(report::Page& page, const Diagnosis& diagnosis);  ///< what, how sure, how far, what to do next
 void addWhere(report::Page& page, const Diagnosis& diagnosis);
 void addCauses(report::Page& page, const Diagnosis& diagnosis);
+void addRest(report::Page& page, const Diagnosis& diagnosis);
 void addHowFar(report::Page& page, const Diagnosis& diagnosis);
 void addNext(report::Page& page, const Diagnosis& diagnosis);
 void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the words used

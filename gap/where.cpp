@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <set>
 
-#include "core/physics.h"
+#include "gap/covariates.h"
 #include "gap/discrepancy.h"
 #include "gap/settle.h"
 #include "gap/statistics.h"
@@ -23,14 +21,6 @@ constexpr double kMayBeNoise = 2.0;       // standard errors
 constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent of the simulated echoes
 
 using Row = ResidualTable::Row;
-
-/// What a covariate says of a row: a number, or a name.
-struct Covariate {
-  std::string name;
-  bool numeric = true;
-  std::function<double(const Row&)> number;
-  std::function<std::string(const Row&)> text;
-};
 
 /// What of a residual its noise does not explain.
 double beyondError(const Row& row) {
@@ -127,78 +117,6 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
     }
   }
   return best;
-}
-
-std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated) {
-  const auto cell = [&replay](const Row& row) -> const Cell& {
-    return replay.samples()[row.sample].layout->cells()[row.cell];
-  };
-  const auto beam = [&replay, cell](const Row& row) -> const model::Beam& {
-    return replay.samples()[row.sample].beams[cell(row).beam];
-  };
-  const auto mean = [&replay, &simulated](Channel channel) {
-    return [&replay, &simulated, channel](const Row& row) {
-      const CellStatistics& s = simulated[row.sample][row.cell];
-      const CellStatistics& m = replay.samples()[row.sample].statistics[row.cell];
-      return m.count > 0.0 ? m.mean(channel) : s.count > 0.0 ? s.mean(channel) : NAN;
-    };
-  };
-  std::vector<Covariate> list;
-  const bool pooled = replay.samples().front().layout->pooled();
-  if (!pooled) {
-    list.push_back(
-        {"range_m", true, [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
-    list.push_back(
-        {"azimuth_deg", true, [beam](const Row& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
-    list.push_back(
-        {"elevation_deg", true, [beam](const Row& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
-    list.push_back(
-        {"incidence_deg", true,
-         [cell](const Row& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; },
-         nullptr});
-    list.push_back({"time_s", true, [beam](const Row& r) { return beam(r).time_s; }, nullptr});
-    const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
-    std::vector<std::string> objects, materials;
-    for (const model::SceneObject& object : scene.objects) {
-      objects.push_back(object.id);
-      materials.push_back(scene.materials[object.material].name);
-    }
-    const auto named = [cell](std::vector<std::string> names) {
-      return [cell, names](const Row& r) {
-        return cell(r).object < 0 ? std::string("(nothing)") : names[static_cast<std::size_t>(cell(r).object)];
-      };
-    };
-    list.push_back({"object", false, nullptr, named(objects)});
-    list.push_back({"material", false, nullptr, named(materials)});
-  }
-  for (const Channel channel : replay.channels()) {
-    if (channel == kEpw) list.push_back({"epw_m", true, mean(kEpw), nullptr});
-    if (channel == kIntensity) list.push_back({"intensity", true, mean(kIntensity), nullptr});
-  }
-  if (!replay.experiment().sensors.empty()) {
-    list.push_back(
-        {"sensor", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->sensor; }});
-  }
-  std::set<std::string> setups, parameters;
-  for (const ReplaySample& sample : replay.samples()) {
-    setups.insert(sample.sample->setup);
-    for (const auto& [name, value] : sample.sample->parameters) parameters.insert(name);
-  }
-  if (setups.size() > 1) {
-    list.push_back(
-        {"setup", false, nullptr, [&replay](const Row& r) { return replay.samples()[r.sample].sample->setup; }});
-  }
-  for (const std::string& name : parameters) {
-    if (name == "range_m" && !pooled) continue;  // the covariate of that name is finer
-    list.push_back({name, true,
-                    [&replay, name](const Row& r) {
-                      const auto& values = replay.samples()[r.sample].sample->parameters;
-                      const auto found = values.find(name);
-                      return found == values.end() ? NAN : found->second;
-                    },
-                    nullptr});
-  }
-  return list;
 }
 
 /// Covariates that a person thinks in first; they win where two tell the same story.
@@ -350,6 +268,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);
   result.rows = whereRows(replay, result.tables, simulated);
+  result.simulated = std::move(simulated);
   for (const ResidualTable& table : result.tables) {
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
   }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/replay.h"
+#include "gap/covariates.h"
 
 namespace gap {
 
@@ -26,9 +26,7 @@ struct WhereRow {
 
 /// Measured minus simulated of every cell, with everything that is known about it.
 struct ResidualTable {
-  struct Row {
-    std::size_t sample = 0;
-    std::size_t cell = 0;
+  struct Row : CellPlace {
     double value = 0.0;   ///< measured - simulated
     double error = 0.0;   ///< standard error
     double weight = 0.0;  ///< detections, or shots for existence
@@ -62,6 +60,7 @@ struct ResidualTable {
 struct WhereResult {
   std::vector<WhereRow> rows;
   std::vector<ResidualTable> tables;
+  std::vector<std::vector<CellStatistics>> simulated;  ///< [sample][cell]
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
 };
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);

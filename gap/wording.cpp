@@ -287,6 +287,20 @@ std::string whereSentence(const WhereRow& row) {
   return fmt::format("{}: {} of this gap, in {} of the data.", whereClause(row), percent(row.share), percent(row.size));
 }
 
+std::string formulaOf(const Law& law) {
+  std::string formula = core::significant(law.constant);
+  for (const Law::Term& term : law.terms) {
+    // "tan² x" of incidence_deg: "·tan²(incidence_deg)"; "1/x": "/incidence_deg".
+    const bool named_function = term.function.find(' ') != std::string::npos;
+    std::string of_x = term.function == "1/x" ? "/x" : "·" + term.function;
+    std::erase(of_x, ' ');
+    of_x.replace(of_x.find('x'), 1, named_function ? "(" + term.covariate + ")" : term.covariate);
+    formula += fmt::format(" {} {}{}", term.coefficient < 0.0 ? "−" : "+",
+                           core::significant(std::abs(term.coefficient)), of_x);
+  }
+  return formula;
+}
+
 std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)

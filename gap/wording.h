@@ -22,6 +22,9 @@ namespace gap {
 /// "at ranges from 28.1 to 69 m".
 [[nodiscard]] std::string stratumText(const WhereRow& row);
 
+/// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
+[[nodiscard]] std::string formulaOf(const Law& law);
+
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample);
 
 /// "echo pulse width" for "epw".

@@ -21,7 +21,7 @@ import packages
 import severity
 import worlds
 
-KEEP = ("gap", "where", "verdict", "causes", "shrink", "next_experiment", "elapsed_s")
+KEEP = ("gap", "where", "verdict", "causes", "shrink", "rest", "next_experiment", "elapsed_s")
 TRIED = ("kind", "name", "variant")  # of every hypothesis that was tried, beside what baselines.py judges by
 
 
