@@ -39,7 +39,7 @@ std::vector<Hypothesis> Ablation::applied(std::vector<Hypothesis> hypotheses) co
 Split Ablation::applied(Split split) const {
   if (!hold_out) return split;
   split.held_out.samples = split.fitted.samples;
-  split.held_out.half = split.fitted.half;
+  split.held_out.part = split.fitted.part;
   return split;
 }
 

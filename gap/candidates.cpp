@@ -22,7 +22,8 @@ constexpr int kNullRuns = 8;
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kNatsPerNumber = 4.0;     // of discrepancy: half the logarithm of some thousand cells (Schwarz 1978)
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
-constexpr std::size_t kPolished = 6;  // candidates that are fitted with more frames
+constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams
+constexpr std::size_t kPolished = 3;  // of them fitted with more frames
 constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
 constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
@@ -118,8 +119,8 @@ double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfe
 
 Split splitOf(const Replay& replay, std::uint64_t seed) {
   Split split;
-  split.fitted = {.samples = {}, .half = Half::kAll, .most_frames = kFitFrames, .seed = seed};
-  split.held_out = {.samples = {}, .half = Half::kAll, .most_frames = kJudgeFrames, .seed = seed};
+  split.fitted = {.samples = {}, .part = {}, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {.samples = {}, .part = {}, .most_frames = kJudgeFrames, .seed = seed};
   const auto& samples = replay.samples();
   for (std::size_t s = 0; s < samples.size(); ++s) {
     (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
@@ -135,8 +136,9 @@ Split splitOf(const Replay& replay, std::uint64_t seed) {
 Split splitByBeams(const Replay& replay, std::uint64_t seed) {
   Split split;
   const bool pooled = replay.samples().front().layout->pooled();
-  split.fitted = {.samples = {}, .half = pooled ? Half::kAll : Half::kEven, .most_frames = kFitFrames, .seed = seed};
-  split.held_out = {.samples = {}, .half = pooled ? Half::kAll : Half::kOdd, .most_frames = kJudgeFrames, .seed = seed};
+  split.fitted = {.samples = {}, .part = {pooled ? Half::kAll : Half::kEven}, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {
+      .samples = {}, .part = {pooled ? Half::kAll : Half::kOdd}, .most_frames = kJudgeFrames, .seed = seed};
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     split.fitted.samples.push_back(s);
     split.held_out.samples.push_back(s);
@@ -193,15 +195,19 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
   if (candidates.empty()) return;
   const double enough = candidates.front().merit - kNearlyAsGood;
   std::size_t leaders = 0;
-  while (leaders < std::min(kPolished, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
-  core::parallelFor(leaders, 1, [&](std::size_t c, std::size_t) {
-    Candidate& candidate = candidates[c];
-    candidate.values = refinedOf(judge, candidate, where, progress);
-    candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
-    judge.hear(candidate);
-  });
+  while (leaders < std::min(kLeaders, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
   const auto behind = candidates.begin() + static_cast<std::ptrdiff_t>(leaders);
-  std::stable_sort(candidates.begin(), behind, better);
+  const auto lookAt = [&](std::size_t count, bool refined) {
+    core::parallelFor(count, 1, [&](std::size_t c, std::size_t) {
+      Candidate& candidate = candidates[c];
+      if (refined) candidate.values = refinedOf(judge, candidate, where, progress);
+      candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
+      judge.hear(candidate);
+    });
+    std::stable_sort(candidates.begin(), behind, better);
+  };
+  lookAt(leaders, false);
+  lookAt(std::min(leaders, kPolished), true);
   // What was not looked at closely is no better than what was.
   const double of_last = (behind - 1)->merit;
   std::for_each(behind, candidates.end(),

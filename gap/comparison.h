@@ -8,8 +8,14 @@
 
 namespace gap {
 
-/// Which cells of a sample take part: all, or those of every second beam column (to hold the rest out).
+/// All beam columns, or every second one (to hold the rest out).
 enum class Half { kAll, kEven, kOdd };
+
+/// Which cells of a sample take part.
+struct Part {
+  Half half = Half::kAll;
+  bool edges = true;  ///< cells of beams at edges, too
+};
 
 /// Measured and simulated statistics of one sample, to be compared.
 struct Comparison {

@@ -49,7 +49,7 @@ std::vector<std::vector<double>> distances(const Replay& replay, const std::vect
     core::parallelFor(n * n, 1, [&](std::size_t at, std::size_t) {
       const std::size_t i = at / n, j = at % n;
       sums[i][j] +=
-          discrepancy(replay, {s, simulated.as_truth[i], frames, simulated.as_model[j], frames}, evidence.half);
+          discrepancy(replay, {s, simulated.as_truth[i], frames, simulated.as_model[j], frames}, evidence.part);
     });
   }
   return sums;

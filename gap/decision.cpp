@@ -84,11 +84,14 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
 
 /// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
 /// noise of the explained share.
+bool roomForASecond(const Rest& single, double noise) {
+  return single.total > kMaterialRest && single.discrepancy > 3.0 * noise;
+}
 bool earnsItsSecond(const Rest& single, const Rest& pair, double noise) {
   const double gain = single.discrepancy - pair.discrepancy;
   const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;
   const bool smaller = pair.total < kTotalGain * single.total;
-  return single.total > kMaterialRest && gain > 3.0 * noise && (closer || smaller);
+  return roomForASecond(single, noise) && gain > 3.0 * noise && (closer || smaller);
 }
 
 /// A gain that no noise of the baseline makes, and nothing left that the cause itself would not leave.
@@ -112,6 +115,13 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
     rivals.push_back({name, same ? 0.0 : std::max(0.0, separation(judge, best, candidate))});
   }
   return rivals;
+}
+
+/// Where little is to be explained, edges prove nothing: whether a beam still grazes a bright surface, a millimetre
+/// decides, or the number of rays, and a faint halo explains the few echoes that only one program has.
+Judge withoutEdges(Judge judge) {
+  judge.split.held_out.part.edges = false;
+  return judge;
 }
 
 bool provesItself(const Significance& significance, double shrink) {
@@ -180,7 +190,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
   const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
-  if (clear && decision.singles.front().total_left >= kMaterialRest) {
+  if (clear && roomForASecond(restOf(decision.singles.front()), noise)) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
@@ -194,7 +204,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     }
   }
   const Candidate& best = decision.singles.front();
-  const Significance significance = significanceOf(exact, best);
+  const Significance significance = significanceOf(clear ? exact : withoutEdges(exact), best);
   decision.p_value =
       std::min(1.0, upperTail(significance.improvement_z) * static_cast<double>(decision.singles.size()));
   const World world = worldOf(exact.replay, best.hypothesis, best.values);

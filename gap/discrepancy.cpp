@@ -122,10 +122,11 @@ double robustLoss(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
 
 double groupLoss(double z) { return robustLoss(std::max(0.0, std::abs(z) - 1.0)); }
 
-bool takesPart(const ReplaySample& sample, const Cell& cell, Half half) {
-  if (half == Half::kAll) return true;
+bool takesPart(const ReplaySample& sample, const Cell& cell, Part part) {
+  if (!part.edges && cell.at_edge) return false;
+  if (part.half == Half::kAll) return true;
   const bool odd = (sample.beams[cell.beam].column & 1) != 0;
-  return odd == (half == Half::kOdd);
+  return odd == (part.half == Half::kOdd);
 }
 
 double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
@@ -145,14 +146,14 @@ double meanError(const Replay& replay, const ReplaySample& sample, std::size_t c
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
-double discrepancy(const Replay& replay, const Comparison& comparison, Half half) {
+double discrepancy(const Replay& replay, const Comparison& comparison, Part part) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
   double result = 0.0;
   std::vector<std::size_t> surfaces;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!takesPart(sample, cells[c], half)) continue;
+    if (!takesPart(sample, cells[c], part)) continue;
     const CellStatistics &m = measured[c], &s = simulated[c];
     if (m.count == 0.0 && s.count == 0.0) continue;
     const bool surface = c < sample.layout->surfaces();
@@ -181,7 +182,7 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Half half
   });
   if (!sample.layout->pooled()) {
     addRates(surfaces, measured, measured_frames, simulated, simulated_frames, result);
-    result += extraDiscrepancy(replay, comparison, half);
+    result += extraDiscrepancy(replay, comparison, part);
   }
   for (const Channel channel : replay.channels())
     addSpread(replay, sample, surfaces, channel, measured, simulated, result);

@@ -20,7 +20,7 @@ namespace gap {
 /// the detections per frame and the spread. Quadratic near zero, linear far out, so that a few badly sampled edge beams
 /// decide nothing. z is the difference over its standard error, which holds a floor: differences below a fraction of a
 /// resolution step are not worth explaining.
-[[nodiscard]] double discrepancy(const Replay& replay, const Comparison& comparison, Half half = Half::kAll);
+[[nodiscard]] double discrepancy(const Replay& replay, const Comparison& comparison, Part part = {});
 
 /// Standard error of the difference of two means of a cell: of its noise, of the resolution, and of what the
 /// reference's tolerance does to the power that the cell receives. [unit of the channel]
@@ -31,7 +31,7 @@ namespace gap {
 [[nodiscard]] double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell,
                                      Channel channel, const CellStatistics& measured, const CellStatistics& simulated);
 
-/// Whether a cell belongs to this half.
-[[nodiscard]] bool takesPart(const ReplaySample& sample, const Cell& cell, Half half);
+/// Whether a cell belongs to this part.
+[[nodiscard]] bool takesPart(const ReplaySample& sample, const Cell& cell, Part part);
 
 }  // namespace gap

@@ -83,12 +83,12 @@ double ofValues(const Replay& replay, const std::vector<std::size_t>& cells, con
 
 }  // namespace
 
-double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Half half) {
+double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Part part) {
   const ReplaySample& sample = replay.samples()[comparison.sample];
   const auto& cells = sample.layout->cells();
   std::vector<std::size_t> clear, edges;
   for (std::size_t c = sample.layout->surfaces(); c < cells.size(); ++c) {
-    if (takesPart(sample, cells[c], half)) (cells[c].at_edge ? edges : clear).push_back(c);
+    if (takesPart(sample, cells[c], part)) (cells[c].at_edge ? edges : clear).push_back(c);
   }
   const Side measured{comparison.measured, comparison.measured_frames};
   const Side simulated{comparison.simulated, comparison.simulated_frames};

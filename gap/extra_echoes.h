@@ -10,6 +10,6 @@ namespace gap {
 /// the mean and the spread of every channel: how strong and how far such echoes are tells who makes them. Robust
 /// standardised differences as in discrepancy.h. Beams at edges have a floor of their own: which of two surfaces they
 /// meet is known no better than the reference.
-[[nodiscard]] double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Half half);
+[[nodiscard]] double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Part part);
 
 }  // namespace gap

@@ -14,6 +14,7 @@ namespace gap {
 namespace {
 
 constexpr int kRefinements = 70;      // evaluations of the refinement with several parameters
+constexpr int kRoughTrials = 24;      // of a fit that is only to show whether a better one is worth it
 constexpr int kBrentBits = 13;        // 1e-4 of the scaled range: coarser, and refits would end where they began
 constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;
@@ -30,7 +31,8 @@ constexpr double kFineStep = 0.02;
 /// Ends of a sector: they may lie anywhere, and nothing is special about zero.
 bool isAzimuth(const FreeParameter& p) { return p.name.starts_with("azimuth_"); }
 
-/// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero lies inside) fine around zero.
+/// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero, at which an effect is absent, lies inside or at the
+/// lower end) fine around zero.
 class Scale {
  public:
   explicit Scale(const FreeParameter& p) : p_(p) {}
@@ -45,14 +47,14 @@ class Scale {
   }
 
  private:
-  [[nodiscard]] bool straddlesZero() const { return p_.low < 0.0 && p_.high > 0.0 && !isAzimuth(p_); }
+  [[nodiscard]] bool reachesZero() const { return p_.low <= 0.0 && p_.high > 0.0 && !isAzimuth(p_); }
   [[nodiscard]] double bend(double value) const {
     if (p_.logarithmic) return std::log(value);
-    return straddlesZero() ? std::asinh(value / (0.01 * p_.high)) : value;
+    return reachesZero() ? std::asinh(value / (0.01 * p_.high)) : value;
   }
   [[nodiscard]] double unbend(double bent) const {
     if (p_.logarithmic) return std::exp(bent);
-    return straddlesZero() ? 0.01 * p_.high * std::sinh(bent) : bent;
+    return reachesZero() ? 0.01 * p_.high * std::sinh(bent) : bent;
   }
   FreeParameter p_;
 };
@@ -204,7 +206,8 @@ double onSubplex(unsigned n, const double* x, double*, void* data) {
   }
 }
 
-std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start, double first_step) {
+std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start, double first_step,
+                                  int most_trials) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(NLOPT_LN_SBPLX, n), nlopt_destroy);
   SubplexCall call{&objective, nullptr, optimiser.get()};
@@ -214,7 +217,7 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
   nlopt_set_initial_step(optimiser.get(), objective.firstSteps(first_step).data());
   nlopt_set_xtol_abs1(optimiser.get(), 5e-4);
   nlopt_set_ftol_rel(optimiser.get(), 1e-4);
-  nlopt_set_maxeval(optimiser.get(), kRefinements);
+  nlopt_set_maxeval(optimiser.get(), most_trials);
   for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
   double best = 0.0;
   nlopt_optimize(optimiser.get(), start.data(), &best);
@@ -223,9 +226,10 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
 }
 
 /// The values that a bounded search around a point of the unit cube ends with.
-std::vector<double> searched(const Objective& objective, const std::vector<double>& start, double reach, double step) {
+std::vector<double> searched(const Objective& objective, const std::vector<double>& start, double reach, double step,
+                             int most_trials = kRefinements) {
   const auto refined =
-      start.size() == 1 ? refineOne(objective, start[0], reach) : refineSeveral(objective, start, step);
+      start.size() == 1 ? refineOne(objective, start[0], reach) : refineSeveral(objective, start, step, most_trials);
   // A rugged objective may lead the refinement astray.
   return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
 }
@@ -266,9 +270,9 @@ std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, 
   return comparisons;
 }
 
-double total(const Replay& replay, const World& world, std::vector<Comparison>& comparisons, Half half) {
-  double sum = settle(replay, world, comparisons, half);
-  for (const Comparison& comparison : comparisons) sum += discrepancy(replay, comparison, half);
+double total(const Replay& replay, const World& world, std::vector<Comparison>& comparisons, Part part) {
+  double sum = settle(replay, world, comparisons, part);
+  for (const Comparison& comparison : comparisons) sum += discrepancy(replay, comparison, part);
   return sum;
 }
 
@@ -345,7 +349,7 @@ World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vec
 
 double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
   std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
-  return total(replay, world, comparisons, evidence.half);
+  return total(replay, world, comparisons, evidence.part);
 }
 
 double discrepancyIn(const Replay& replay, const World& truth, const World& world, const Evidence& evidence,
@@ -358,7 +362,7 @@ double discrepancyIn(const Replay& replay, const World& truth, const World& worl
   scatter(replay, truth, measured, seed);
   std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
   for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i].simulated;
-  return total(replay, world, comparisons, evidence.half);
+  return total(replay, world, comparisons, evidence.part);
 }
 
 Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -391,6 +395,13 @@ std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, 
   if (hypothesis.per_setup) return fitSetups(replay, hypothesis, evidence, start, progress);
   const Objective objective(replay, hypothesis, evidence, progress);
   return searched(objective, objective.unitOf(start), kReach, kFirstStep);
+}
+
+std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                 const std::vector<double>& start, const core::Progress& progress) {
+  if (start.empty()) return start;
+  const Objective objective(replay, hypothesis, fewOf(evidence), progress);
+  return searched(objective, objective.unitOf(start), kReach, kFirstStep, kRoughTrials);
 }
 
 std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis) {

@@ -8,10 +8,10 @@
 
 namespace gap {
 
-/// Which samples (and which half of their beams) a fit sees, and how many frames it simulates of each.
+/// Which samples (and which part of their cells) a fit sees, and how many frames it simulates of each.
 struct Evidence {
   std::vector<std::size_t> samples;
-  Half half = Half::kAll;
+  Part part;
   int most_frames = 6;
   std::size_t most_shots = 16000;  ///< beams times frames of a sample; but three frames at least
   std::uint64_t seed = 1;
@@ -46,6 +46,11 @@ struct Scouted {
 /// parameter: Brent). Fits few frames; `refine` makes the result exact.
 [[nodiscard]] std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                           const std::vector<double>& start, const core::Progress& progress);
+
+/// The same on a few samples and with few trials: enough to see whether `fitFrom` is worth it.
+[[nodiscard]] std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothesis,
+                                               const Evidence& evidence, const std::vector<double>& start,
+                                               const core::Progress& progress);
 
 /// Some values spread evenly over the plausible range of a hypothesis; none if it has no free number.
 [[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis);

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kResamples = 60;
 constexpr std::size_t kNoiseRefits = 4;
+constexpr std::size_t kMostGroups = 6;  // of set-ups, each left out in turn
+constexpr int kRefitFrames = 8;
 constexpr double kMaterialTotal = 1.5;  // times the total gap of a right model
 
 double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
@@ -152,19 +154,24 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
   std::vector<Interval> intervals;
   if (setups.size() < 2 || hypothesis.per_setup) return intervals;
   // The simulation's own noise is told by refits of everything under other noise, that of the data by a jackknife.
-  std::vector<std::vector<double>> refits(setups.size() + kNoiseRefits);
+  const std::size_t groups = std::min(setups.size(), kMostGroups);
+  std::vector<std::vector<double>> refits(groups + kNoiseRefits);
   core::parallelFor(refits.size(), 1, [&](std::size_t k, std::size_t) {
     Evidence own = evidence;
-    if (k < setups.size()) {
-      std::erase_if(own.samples, [&](std::size_t s) { return replay.samples()[s].sample->setup == setups[k]; });
+    own.most_frames = std::min(own.most_frames, kRefitFrames);
+    if (k < groups) {
+      std::erase_if(own.samples, [&](std::size_t s) {
+        const auto place = std::find(setups.begin(), setups.end(), replay.samples()[s].sample->setup) - setups.begin();
+        return static_cast<std::size_t>(place) % groups == k;
+      });
     } else {
       own.seed += 1 + k;
     }
     refits[k] = refine(replay, hypothesis, own, values, progress);
   });
-  const std::span jackknife = std::span(refits).first(setups.size());
-  const std::span noise = std::span(refits).subspan(setups.size());
-  const double n = static_cast<double>(setups.size());
+  const std::span jackknife = std::span(refits).first(groups);
+  const std::span noise = std::span(refits).subspan(groups);
+  const double n = static_cast<double>(groups);
   const double t = boost::math::quantile(boost::math::students_t(n - 1.0), 0.975);
   for (std::size_t p = 0; p < values.size(); ++p) {
     const double error = std::sqrt((n - 1.0) / n * squaresAbout(jackknife, p) +

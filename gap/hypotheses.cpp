@@ -249,7 +249,7 @@ std::set<std::int32_t> suspects(const Replay& replay) {
     comparisons.push_back(
         {s, sample.statistics, sample.frames, replay.simulate(replay.baseline(), s, kFrames, 1), kFrames});
   }
-  settle(replay, replay.baseline(), comparisons, Half::kAll);
+  settle(replay, replay.baseline(), comparisons, {});
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     const auto& simulated = comparisons[s].simulated;

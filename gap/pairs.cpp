@@ -24,6 +24,7 @@ constexpr std::size_t kPartnersFitted = 4;                                // nea
 constexpr std::size_t kPartnered = 2;                                     // single causes that partners are looked for
 constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of the recorded emitter power
 constexpr int kExchanges = 2;
+constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 constexpr std::size_t kScoutBeams = 120;
 
 /// A cause at certain values.
@@ -74,8 +75,9 @@ class PairSearch {
 
  private:
   struct Fitted {
-    std::size_t first, second;
+    std::size_t first = 0, second = 0;
     Candidate candidate;
+    double discrepancy = 0.0;  ///< on the samples that were fitted, after a rough fit
   };
 
   [[nodiscard]] std::size_t numbersOf(std::size_t single) const {
@@ -195,16 +197,26 @@ class PairSearch {
     });
     std::vector<Fitted> fitted(guesses.size());
     std::atomic<std::size_t> done = 0;
+    const Evidence& evidence = judge_.split.fitted;
     core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
       const Guess& guess = guesses[g];
       Candidate& candidate = fitted[g].candidate;
       fitted[g].first = guess.first;
       fitted[g].second = guess.second;
       candidate.hypothesis = together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
-      candidate.values = fitFrom(judge_.replay, candidate.hypothesis, judge_.split.fitted, guess.values, progress_);
-      judge_.hear(candidate);
+      candidate.values = roughFitFrom(judge_.replay, candidate.hypothesis, evidence, guess.values, progress_);
+      const World world = worldOf(judge_.replay, candidate.hypothesis, candidate.values);
+      fitted[g].discrepancy = discrepancyOf(judge_.replay, world, evidence);
       progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
                        "tried " + candidate.hypothesis.name);
+    });
+    std::stable_sort(fitted.begin(), fitted.end(),
+                     [](const Fitted& a, const Fitted& b) { return a.discrepancy < b.discrepancy; });
+    core::parallelFor(fitted.size(), 1, [&](std::size_t f, std::size_t) {
+      Candidate& candidate = fitted[f].candidate;
+      if (f < kWellFitted)
+        candidate.values = fitFrom(judge_.replay, candidate.hypothesis, evidence, candidate.values, progress_);
+      judge_.hear(candidate);
     });
     std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
     std::stable_sort(pairs_.begin(), pairs_.end(),

@@ -89,6 +89,13 @@ std::size_t bytesOf(const model::BeamHits& hits) {
 }
 
 /// The beams whose sub-rays do not all meet one object.
+/// The corners of the beam, without power: a surface that ends between them and the outermost rays of an even grid
+/// would seem to catch the whole beam.
+void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::AngularSize& divergence) {
+  const model::SubRays halfway = model::subRaysOf(profile, divergence, 2, 2);
+  for (std::size_t i = 0; i < halfway.size(); ++i) rays.add(2.0 * halfway.left_rad[i], 2.0 * halfway.up_rad[i], 0.0);
+}
+
 std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
   std::vector<std::uint32_t> partly;
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
@@ -190,7 +197,9 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
   const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
   const model::Scene& scene = traced->situation.scene;
-  const model::BeamHits all = model::traceWith(chain, scene, std::move(beams), chain.subRays(horizontal, vertical));
+  model::SubRays rays = chain.subRays(horizontal, vertical);
+  addCorners(rays, sensor.emitter.beam_profile, settings.divergence);
+  const model::BeamHits all = model::traceWith(chain, scene, std::move(beams), std::move(rays));
   const auto edges = partlyHit(all);
   std::vector<model::Beam> edge_beams;
   for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);

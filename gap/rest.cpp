@@ -61,7 +61,7 @@ Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Ev
   for (const Row& row : table.rows) {
     const ReplaySample& sample = replay.samples()[row.sample];
     const Cell& cell = sample.layout->cells()[row.cell];
-    if (samples.contains(row.sample) && !cell.at_edge && row.weight > 0.0 && takesPart(sample, cell, evidence.half))
+    if (samples.contains(row.sample) && !cell.at_edge && row.weight > 0.0 && takesPart(sample, cell, evidence.part))
       residuals.rows.push_back(row);
   }
   const std::size_t step = 1 + residuals.rows.size() / kMostRows;

@@ -72,7 +72,7 @@ void move(const Replay& replay, const Offset& offset, double by) {
 }
 
 /// One step of reweighted least squares for the robust loss ρ of `discrepancy`.
-double stepOf(const Replay& replay, const Offset& offset, Half half) {
+double stepOf(const Replay& replay, const Offset& offset, Part part) {
   double pull = -offset.value / offset.variance, stiffness = 1.0 / offset.variance;
   for (const auto& [comparison, tolerance] : offset.moves) {
     const ReplaySample& sample = replay.samples()[comparison->sample];
@@ -80,7 +80,7 @@ double stepOf(const Replay& replay, const Offset& offset, Half half) {
       const double slope = static_cast<double>(tolerance->range_per_unit[c]);
       const CellStatistics &m = comparison->measured[c], &s = comparison->simulated[c];
       if (slope == 0.0 || m.count == 0.0 || s.count == 0.0) continue;
-      if (!takesPart(sample, sample.layout->cells()[c], half)) continue;
+      if (!takesPart(sample, sample.layout->cells()[c], part)) continue;
       const double error = comparableError(replay, sample, c, kRange, m, s);
       const double z = (m.mean(kRange) - s.mean(kRange)) / error;
       const double weight = 1.0 / std::sqrt(1.0 + z * z);
@@ -93,12 +93,12 @@ double stepOf(const Replay& replay, const Offset& offset, Half half) {
 
 }  // namespace
 
-double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Half half) {
+double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Part part) {
   std::vector<Offset> offsets = offsetsOf(replay, world, comparisons);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (Offset& offset : offsets) {
       if (offset.variance <= 0.0) continue;
-      const double step = stepOf(replay, offset, half);
+      const double step = stepOf(replay, offset, part);
       move(replay, offset, step);
       offset.value += step;
     }

@@ -13,7 +13,7 @@ namespace gap {
 /// distributed with the interval's standard deviation σ (width / √12), cut off at its ends. Quantities that the world
 /// itself moves are left alone. Returns Σ o²/(2σ²), what the offsets cost in the units of `discrepancy`. Ranges,
 /// intensities and echo pulse widths move to first order.
-double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Half half);
+double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Part part);
 
 /// Moves the simulated surfaces as the reference may have stood: by offsets drawn at random from the same distribution,
 /// one for the samples of a set-up.

@@ -64,7 +64,7 @@ SignatureSpace::SignatureSpace(const Replay& replay, std::vector<std::size_t> sa
     baseline_.push_back(replay.simulate(replay.baseline(), s, frames, seed));
     comparisons.push_back({s, sample.statistics, sample.frames, baseline_.back(), frames});
   }
-  settle(replay, replay.baseline(), comparisons, Half::kAll);
+  settle(replay, replay.baseline(), comparisons, {});
   for (std::size_t p = 0; p < samples_.size(); ++p) {
     const ReplaySample& sample = replay.samples()[samples_[p]];
     const Signature part = shifts(p, sample.statistics, sample.frames, comparisons[p].simulated);

@@ -13,9 +13,9 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kMostStrata = 4;                     // of azimuth, and of range
-constexpr double kStrengths[] = {0.06, 0.15, 0.35, 0.7};   // how strong the cause is there, the map does not say
-constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};  // of a cloud in a direction
+constexpr std::size_t kMostStrata = 4;                         // of azimuth, and of range
+constexpr double kStrengths[] = {0.01, 0.04, 0.15, 0.4, 0.8};  // how strong the cause is there, the map does not say
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};      // of a cloud in a direction
 
 /// Smallest distance of two different measured ranges: the step of a counter shows in its values.
 double smallestRangeStep_m(const Replay& replay) {

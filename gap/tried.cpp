@@ -40,12 +40,12 @@ double rateDifference(double measured, int measured_frames, double simulated, in
          std::sqrt(variance / measured_frames + variance / simulated_frames);
 }
 
-void addCells(const Replay& replay, const Comparison& comparison, Half half, ChiSquare& chi_square) {
+void addCells(const Replay& replay, const Comparison& comparison, Part part, ChiSquare& chi_square) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
     const CellStatistics &m = measured[c], &s = simulated[c];
-    if (!takesPart(sample, sample.layout->cells()[c], half) || (m.count == 0.0 && s.count == 0.0)) continue;
+    if (!takesPart(sample, sample.layout->cells()[c], part) || (m.count == 0.0 && s.count == 0.0)) continue;
     if (!sample.layout->pooled()) chi_square.add(rateDifference(m.count, measured_frames, s.count, simulated_frames));
     const bool lost = m.count == 0.0 || s.count == 0.0;
     const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
@@ -114,7 +114,7 @@ double bicOf(const Replay& replay, const World& world, const Evidence& fitted, s
     const ReplaySample& sample = replay.samples()[s];
     const int frames = std::min(fitted.most_frames, std::max(3, sample.frames));
     addCells(replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, fitted.seed), frames},
-             fitted.half, chi_square);
+             fitted.part, chi_square);
   }
   const double terms = static_cast<double>(std::max<std::size_t>(1, chi_square.terms));
   return chi_square.sum + static_cast<double>(free_numbers) * std::log(terms);

@@ -263,7 +263,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
     frames[s] = std::clamp(sample.frames, 3, kWhereFrames);
     comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
   }
-  settle(replay, world, comparisons, Half::kAll);
+  settle(replay, world, comparisons, {});
   for (std::size_t s = 0; s < simulated.size(); ++s) simulated[s] = std::move(comparisons[s].simulated);
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);

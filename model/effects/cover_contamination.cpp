@@ -16,7 +16,8 @@ class CoverContamination final : public Effect {
 
   [[nodiscard]] bool changesPower() const override { return true; }
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
-    return reflection.azimuth_rad() >= from_rad_ && reflection.azimuth_rad() <= to_rad_ ? factor_ : 1.0;
+    const double azimuth_rad = reflection.azimuth_rad();
+    return azimuth_rad >= from_rad_ && azimuth_rad <= to_rad_ ? factor_ : 1.0;
   }
 
  private:

@@ -20,7 +20,7 @@ double extraAt(const gap::Replay& replay, double rate_per_beam) {
     const gap::ReplaySample& sample = replay.samples()[s];
     sum += gap::extraDiscrepancy(
         replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, sample.frames, 1), sample.frames},
-        gap::Half::kAll);
+        {});
   }
   return sum;
 }
