@@ -19,8 +19,7 @@ double extraAt(const gap::Replay& replay, double rate_per_beam) {
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const gap::ReplaySample& sample = replay.samples()[s];
     sum += gap::extraDiscrepancy(
-        replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, sample.frames, 1), sample.frames},
-        {});
+        replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, sample.frames, 1), sample.frames}, {});
   }
   return sum;
 }
