@@ -26,7 +26,8 @@ constexpr double kNoRest = 3.0;          // standard deviations: no more is left
 constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
 constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
-constexpr double kHopeless = 0.5;        // in merit: rivals farther behind are not looked at
+constexpr double kFarBehind =
+    0.15;  // in merit, which counts the total gap, too: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
 constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
 
@@ -109,7 +110,7 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
     const std::string& name = candidate.hypothesis.name;
     const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == name; });
     if (name == best.hypothesis.name || known) continue;
-    if (candidate.merit < best.merit - kHopeless) break;
+    if (candidate.merit < best.merit - kFarBehind) break;
     judge.hear(candidate);  // few beams may have been all that it was judged by so far
     const bool same = candidate.discrepancy < best.discrepancy + alike;
     rivals.push_back({name, same ? 0.0 : std::max(0.0, separation(judge, best, candidate))});

@@ -22,6 +22,7 @@ constexpr double kSignificance = 1e-3;    // of the gap being present at all
 constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
 constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
 constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are judged: more cost minutes and tell no more
+constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrink the pooled gap
 constexpr double kPairBelief = 0.7;       // of a pair that explains everything
 constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
@@ -76,12 +77,13 @@ World winnersWorld(const Replay& replay, const Decision& decision) {
 }
 
 /// The total gap with the winner added; where it is none the smaller for it, the winner only fitted single cells, and
-/// is none.
+/// is none, unless it explains nearly all of them: pooled data hide what evens out (a car reported late, that leaves
+/// here as many echoes as it makes there).
 After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
                     core::Progress& progress) {
   progress.report(0.86, "measuring how far the gap shrinks");
   After after = gaps.with(winnersWorld(replay, decision), progress);
-  if (decision.winner && after.shrink.fraction <= 0.0) {
+  if (decision.winner && after.shrink.fraction <= 0.0 && decision.winner->explained < kNearlyAllCells) {
     decision.winner.reset();
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
   }

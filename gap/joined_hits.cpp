@@ -1,7 +1,9 @@
 #include "gap/joined_hits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace gap {
 
@@ -15,26 +17,18 @@ class Joined {
 
   void add(const model::HitsOfBeam& hits, const model::SubRays& rays, std::span<const model::SecondHit> second) {
     sums_.clear();
-    for (const model::Hit& hit : hits) {
-      const double left = rays.left_rad[hit.ray], weight = rays.weight[hit.ray];
-      Sum& sum = sumOf({hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / range_bin_m_)),
-                        static_cast<std::int64_t>(std::floor(left / left_bin_rad_))});
-      sum.weight += weight;
-      sum.range += weight * hit.range_m;
-      sum.cosine += weight * static_cast<double>(hit.cos_incidence);
-      sum.left += weight * left;
-      sum.up += weight * rays.up_rad[hit.ray];
-    }
+    for (const model::Hit& hit : hits) sumOf(keyOf(hit, rays), {}).add(hit, rays, {});
     for (const Sum& s : sums_) {
-      if (s.weight <= 0.0) continue;
-      into_.hits.add({s.range / s.weight, static_cast<float>(s.cosine / s.weight), s.key.object,
-                      into_.rays.add(s.left / s.weight, s.up / s.weight, s.weight)});
+      if (s.weight > 0.0) into_.hits.add(s.mean(into_.rays));
     }
     into_.hits.endBeam();
-    for (model::SecondHit hit : second) {
-      const std::uint32_t ray = hit.hit.ray;
-      hit.hit.ray = into_.rays.add(rays.left_rad[ray], rays.up_rad[ray], rays.weight[ray]);
-      into_.second.push_back(hit);
+    sums_.clear();
+    for (const model::SecondHit& way : second) {
+      const std::span turns(way.turns.data(), way.turn_count);
+      sumOf(keyOf(way.hit, rays), turns).add(way.hit, rays, turns);
+    }
+    for (const Sum& s : sums_) {
+      if (s.weight > 0.0) into_.second.push_back(s.meanWay(into_.rays));
     }
     if (!into_.first_second.empty()) into_.first_second.push_back(static_cast<std::uint32_t>(into_.second.size()));
   }
@@ -45,13 +39,53 @@ class Joined {
     std::int64_t range, left;
     bool operator==(const Key&) const = default;
   };
+  /// Weighted sums over hits that came on the same way.
   struct Sum {
     Key key;
     double weight = 0.0, range = 0.0, cosine = 0.0, left = 0.0, up = 0.0;
+    std::array<model::Turn, model::SecondHit::kMostTurns> turns{};
+    std::array<double, model::SecondHit::kMostTurns> turn_cosine{};
+    std::size_t turn_count = 0;
+
+    void add(const model::Hit& hit, const model::SubRays& rays, std::span<const model::Turn> way) {
+      const double share = rays.weight[hit.ray];
+      weight += share;
+      range += share * hit.range_m;
+      cosine += share * static_cast<double>(hit.cos_incidence);
+      left += share * rays.left_rad[hit.ray];
+      up += share * rays.up_rad[hit.ray];
+      for (std::size_t t = 0; t < way.size(); ++t) turn_cosine[t] += share * static_cast<double>(way[t].cos_incidence);
+    }
+    [[nodiscard]] bool cameBy(std::span<const model::Turn> way) const {
+      return std::equal(
+          turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(turn_count), way.begin(), way.end(),
+          [](const model::Turn& a, const model::Turn& b) { return a.mirrored == b.mirrored && a.object == b.object; });
+    }
+    /// Adds its sub-ray to the others.
+    [[nodiscard]] model::Hit mean(model::SubRays& rays) const {
+      return {range / weight, static_cast<float>(cosine / weight), key.object,
+              rays.add(left / weight, up / weight, weight)};
+    }
+    [[nodiscard]] model::SecondHit meanWay(model::SubRays& rays) const {
+      model::SecondHit way{mean(rays), turns, turn_count};
+      for (std::size_t t = 0; t < turn_count; ++t)
+        way.turns[t].cos_incidence = static_cast<float>(turn_cosine[t] / weight);
+      return way;
+    }
   };
-  Sum& sumOf(const Key& key) {
-    const auto found = std::find_if(sums_.rbegin(), sums_.rend(), [&](const Sum& s) { return s.key == key; });
-    return found == sums_.rend() ? sums_.emplace_back(Sum{key}) : *found;
+
+  [[nodiscard]] Key keyOf(const model::Hit& hit, const model::SubRays& rays) const {
+    return {hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / range_bin_m_)),
+            static_cast<std::int64_t>(std::floor(rays.left_rad[hit.ray] / left_bin_rad_))};
+  }
+  Sum& sumOf(const Key& key, std::span<const model::Turn> way) {
+    const auto found =
+        std::find_if(sums_.rbegin(), sums_.rend(), [&](const Sum& s) { return s.key == key && s.cameBy(way); });
+    if (found != sums_.rend()) return *found;
+    Sum& sum = sums_.emplace_back(Sum{.key = key});
+    std::copy(way.begin(), way.end(), sum.turns.begin());
+    sum.turn_count = way.size();
+    return sum;
   }
 
   model::BeamHits& into_;

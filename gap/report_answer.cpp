@@ -93,6 +93,12 @@ std::string evidenceText(const Diagnosis& diagnosis) {
 }
 
 std::string shrinkText(const Diagnosis& diagnosis) {
+  if (diagnosis.shrink.fraction <= 0.0)
+    return fmt::format(
+        "Not at all, pooled over all beams: {} before, {} after. Beam by beam the simulation with the cause agrees "
+        "with "
+        "samples that the fit never saw; pooled data hide what evens out between beams.",
+        core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));
   return fmt::format(
       "By {} (95 % interval {}), from {} to {}, on samples that the fit never saw. 100 % would be perfect agreement, "
       "which noise does not allow.",

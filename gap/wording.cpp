@@ -197,7 +197,9 @@ namespace {
 std::string findingSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
   const std::string shrink =
-      fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction));
+      diagnosis.shrink.fraction > 0.0
+          ? fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction))
+          : std::string("single beams agree on held-out samples, though the pooled gap does not shrink");
   const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
   std::string ties;
   if (!verdict.indistinguishable_from.empty()) {

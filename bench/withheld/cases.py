@@ -165,7 +165,7 @@ def draw(seed, slot, attempt):
     experiment, known_m = package(rng, scene, profile)
     present = everyday(rng, scene, profile)
     baseline = {"format": "fidelis-model", "version": 1, "id": "baseline", "sensor": profile,
-                "rays_per_beam": rng.choice([[5, 7], [5, 11], [7, 7]]), "seed": rng.randint(1, 10**6), "effects": present}
+                "rays_per_beam": rng.choice([[11, 11], [11, 15]]), "seed": rng.randint(1, 10**6), "effects": present}
     scatter = {scene.references[0]: known_m / 2} if rng.random() < 0.9 else {}
     draft = Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter)
     if class_name == "beside":
