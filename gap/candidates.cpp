@@ -117,6 +117,8 @@ double Yardstick::explained(double discrepancy, double self) const {
 
 double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
 
+double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }
+
 Split splitOf(const Replay& replay, std::uint64_t seed) {
   Split split;
   split.fitted = {.samples = {}, .part = {}, .most_frames = kFitFrames, .seed = seed};

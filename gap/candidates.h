@@ -54,6 +54,8 @@ struct Yardstick {
   [[nodiscard]] double explained(double discrepancy, double self) const;
   /// How far the baseline stands above noise, in standard deviations of noise.
   [[nodiscard]] double z() const;
+  /// Of so large a distance by chance.
+  [[nodiscard]] double p_value() const;
 };
 
 [[nodiscard]] Yardstick yardstickOf(const Replay& replay, const Evidence& held_out);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gap/cells.h"
@@ -25,5 +27,13 @@ struct Comparison {
   std::vector<CellStatistics> simulated;
   int simulated_frames = 1;
 };
+
+/// Begin and end of so many nearly equal parts of a list, fewer if it is shorter.
+[[nodiscard]] inline std::vector<std::pair<std::size_t, std::size_t>> evenParts(std::size_t size, std::size_t most) {
+  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  const std::size_t count = std::min(most, size);
+  for (std::size_t g = 0; g < count; ++g) parts.emplace_back(size * g / count, size * (g + 1) / count);
+  return parts;
+}
 
 }  // namespace gap

@@ -6,7 +6,6 @@
 
 #include "gap/pairs.h"
 #include "gap/significance.h"
-#include "gap/statistics.h"
 
 namespace gap {
 
@@ -26,8 +25,10 @@ constexpr double kNoRest = 3.0;          // standard deviations: no more is left
 constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
 constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
-constexpr double kFarBehind =
-    0.15;  // in merit, which counts the total gap, too: no rival, however alike in single cells
+constexpr double kMostRest = 0.7;        // of a clear total gap: a cause that leaves more must explain nearly all cells
+constexpr double kNearlyAll = 0.9;       // of the cells
+constexpr double kClearTotal = 0.1;      // weight of the total gap in a merit: a third of the gap is above noise
+constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
 constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
 
@@ -45,12 +46,12 @@ VerdictKind kindOf(CauseKind kind) {
 
 /// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
 /// beyond what a right model keeps.
-struct Rest {
+struct LeftOver {
   double discrepancy = 1.0;
   double total = 1.0;
 };
 
-Rest restOf(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
+LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
 
 /// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
 /// nothing: every single cause for which some pair has better values is judged anew with these.
@@ -85,10 +86,10 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
 
 /// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
 /// noise of the explained share.
-bool roomForASecond(const Rest& single, double noise) {
+bool roomForASecond(const LeftOver& single, double noise) {
   return single.total > kMaterialRest && single.discrepancy > 3.0 * noise;
 }
-bool earnsItsSecond(const Rest& single, const Rest& pair, double noise) {
+bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) {
   const double gain = single.discrepancy - pair.discrepancy;
   const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;
   const bool smaller = pair.total < kTotalGain * single.total;
@@ -123,6 +124,11 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
 Judge withoutEdges(Judge judge) {
   judge.split.held_out.part.edges = false;
   return judge;
+}
+
+/// It explains a part of the single cells and hardly any of a pooled gap that stands well above noise.
+bool leavesTheGap(const Judge& judge, const Candidate& best) {
+  return judge.weight_of_total > kClearTotal && best.total_left > kMostRest && best.explained < kNearlyAll;
 }
 
 bool provesItself(const Significance& significance, double shrink) {
@@ -191,13 +197,13 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
   const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
-  if (clear && roomForASecond(restOf(decision.singles.front()), noise)) {
+  if (clear && roomForASecond(leftBy(decision.singles.front()), noise)) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
     if (!pairs.empty() && pairs.front().explained >= enough) {
       const Candidate &pair = pairs.front(), &best = decision.singles.front();
-      if (earnsItsSecond(restOf(best), restOf(pair), noise) && pair.total_left <= kMostRestOfPair &&
+      if (earnsItsSecond(leftBy(best), leftBy(pair), noise) && pair.total_left <= kMostRestOfPair &&
           separation(exact, pair, best) >= kSecondProven) {
         decision.name(pair);
         return decision;
@@ -206,16 +212,16 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   const Candidate& best = decision.singles.front();
   const Significance significance = significanceOf(clear ? exact : withoutEdges(exact), best);
-  decision.p_value =
-      std::min(1.0, upperTail(significance.improvement_z) * static_cast<double>(decision.singles.size()));
+  decision.p_value = std::min(1.0, significance.p_value * static_cast<double>(decision.singles.size()));
   const World world = worldOf(exact.replay, best.hypothesis, best.values);
   if (!clear && !provesItself(significance, gaps.shrinkTo(gaps.totalIn(world)))) {
     decision.kind = VerdictKind::kNone;
     return decision;
   }
   // Another program's physics may differ cell by cell and still leave nothing of the gap that anybody would see.
-  if (!clear || best.explained >= enough ||
-      (best.explained >= kWeakGap && (best.total_left < kLittleRest || nothingElse(significance)))) {
+  const bool explains = best.explained >= enough ||
+                        (best.explained >= kWeakGap && (best.total_left < kLittleRest || nothingElse(significance)));
+  if (!clear || (explains && !leavesTheGap(exact, best))) {
     decision.name(best);
     decision.rivals = rivalsOf(exact, decision.singles);
   }

@@ -9,7 +9,6 @@
 #include "gap/evidence_limits.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
-#include "gap/statistics.h"
 #include "gap/wording.h"
 #include "model/external/external_runs.h"
 
@@ -65,7 +64,7 @@ Diagnosis withoutCauses(const Judge& judge, const HeldOutGaps& gaps, const Where
   diagnosis.weak_hold_out = judge.split.weak;
   for (const std::size_t s : judge.split.held_out.samples)
     diagnosis.held_out.push_back(judge.replay.samples()[s].sample->id);
-  diagnosis.p_value = upperTail(judge.yardstick.z());
+  diagnosis.p_value = judge.yardstick.p_value();
   diagnosis.before = gaps.before();
   diagnosis.bias_intervals = gaps.biasIntervals();
   return diagnosis;
@@ -234,17 +233,29 @@ VerdictEvidence evidenceOf(const Judge& judge, const Decision& decision) {
   return evidence;
 }
 
+double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
+  const auto cause = std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
+                                  [&](const Cause& listed) { return listed.name == name; });
+  return cause == diagnosis.causes.end() ? 0.0 : cause->confidence;
+}
+
+/// The confidence is that in the verdict as it stands: that it is one of two, if it says that it cannot tell them
+/// apart.
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();
-    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust.
-    const double trust = std::clamp(1.2 - decision.winner->total_left, 0.3, 1.0);
-    for (std::size_t c = 0; c < (decision.pair() ? 2U : 1U); ++c) diagnosis.causes[c].confidence *= trust;
+    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust, unless it explains
+    // nearly all of them.
+    const double least = decision.winner->explained < kNearlyAllCells ? 0.3 : 0.7;
+    const double trust = std::clamp(1.2 - decision.winner->total_left, least, 1.0);
+    for (Cause& cause : diagnosis.causes) cause.confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
     verdict.indistinguishable_from = decision.ties();
+    if (verdict.indistinguishable_from.size() == 1)
+      verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {

@@ -74,9 +74,7 @@ double rateTerm(double measured, int measured_frames, double simulated, int simu
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
 void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatistics> measured, int measured_frames,
               std::span<const CellStatistics> simulated, int simulated_frames, double& result) {
-  const std::size_t groups = std::min(kGroups, cells.size());
-  for (std::size_t g = 0; g < groups; ++g) {
-    const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
+  for (const auto& [begin, end] : evenParts(cells.size(), kGroups)) {
     const auto size = static_cast<double>(end - begin);
     double m = 0.0, s = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -95,10 +93,10 @@ void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatist
 void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
                std::span<const CellStatistics> measured, std::span<const CellStatistics> simulated, double& result) {
   const double prior = priorVariance(replay, sample, channel);
-  const std::size_t groups = std::min(kGroups, cells.size());
-  for (std::size_t g = 0; g < groups; ++g) {
+  const auto groups = evenParts(cells.size(), kGroups);
+  for (const auto& [begin, end] : groups) {
     double dof_m = 0.0, dof_s = 0.0, sum_m = 0.0, sum_s = 0.0;
-    for (std::size_t i = cells.size() * g / groups; i < cells.size() * (g + 1) / groups; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       const CellStatistics &m = measured[cells[i]], &s = simulated[cells[i]];
       if (m.count < 2.0 || s.count < 2.0) continue;
       dof_m += m.count - 1.0;
@@ -111,7 +109,7 @@ void addSpread(const Replay& replay, const ReplaySample& sample, const std::vect
     const double z = std::log((sum_m / dof_m + small) / (sum_s / dof_s + small)) /
                      std::sqrt(2.0 / dof_m + 2.0 / dof_s + kSpreadFloor * kSpreadFloor);
     // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
-    const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups));
+    const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size()));
     result += weight * groupLoss(z);
   }
 }

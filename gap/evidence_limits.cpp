@@ -15,7 +15,8 @@ namespace {
 constexpr int kFewFrames = 3;           // below, no spread within a beam is known
 constexpr std::size_t kFewCells = 20;   // surfaces seen by beams, in all samples together
 constexpr double kFewDetections = 100;  // in all samples together
-constexpr double kMuchBeside = 0.2;     // share of the detections where the scene has nothing
+constexpr double kMuchBeside = 0.2;     // share of the detections where the scene has nothing, that is worth a note
+constexpr double kMostBeside = 0.5;     // from which on nothing is believed
 constexpr double kMostWithOne = 0.5;    // confidence
 constexpr double kFurtherLimit = 0.7;   // factor
 
@@ -34,6 +35,16 @@ double detectionsIn(const ReplaySample& sample, std::size_t begin, std::size_t e
 double onSurfaces(const ReplaySample& sample) { return detectionsIn(sample, 0, sample.layout->surfaces()); }
 double besideSurfaces(const ReplaySample& sample) {
   return detectionsIn(sample, sample.layout->surfaces(), sample.layout->cells().size());
+}
+
+/// Of all detections, those where the scene has no surface.
+double shareBeside(const Replay& replay) {
+  double on = 0.0, beside = 0.0;
+  for (const ReplaySample& sample : replay.samples()) {
+    on += onSurfaces(sample);
+    beside += besideSurfaces(sample);
+  }
+  return beside > 0.0 ? beside / (on + beside) : 0.0;
 }
 
 std::vector<std::string> idsOf(const Replay& replay, bool (*wanted)(const ReplaySample&)) {
@@ -140,6 +151,9 @@ std::vector<std::string> limitsOf(const Replay& replay, const Split& split) {
   if (!pooled && cells < kFewCells)
     limits.push_back(fmt::format("only {} beams meet a surface, all samples together", cells));
   if (detections < kFewDetections) limits.push_back(fmt::format("there are only {} detections", detections));
+  if (shareBeside(replay) > kMostBeside)
+    limits.emplace_back(
+        "most of the measured detections lie where the scene has no surface, so hardly any can be paired");
   if (held_out <= 0.0) limits.emplace_back("the held-out samples hold no detection");
   return limits;
 }
@@ -161,16 +175,12 @@ std::vector<std::string> notesOn(const Replay& replay) {
     notes.push_back("Directions were not recorded in " + samplesText(pooled) +
                     ": compared as a whole, without missing and extra echoes.");
   }
-  double on = 0.0, beside = 0.0;
-  for (const ReplaySample& sample : replay.samples()) {
-    on += onSurfaces(sample);
-    beside += besideSurfaces(sample);
-  }
-  if (beside > kMuchBeside * (on + beside)) {
+  const double beside = shareBeside(replay);
+  if (beside > kMuchBeside) {
     notes.push_back(
         fmt::format("{:.0f} % of the measured detections lie where the scene has no surface. Check the "
                     "poses of the scene, the unit of the ranges and which way the azimuth counts.",
-                    100.0 * beside / (on + beside)));
+                    100.0 * beside));
   }
   const auto thinned = idsOf(replay, [](const ReplaySample& s) { return !s.taken.empty(); });
   if (!thinned.empty()) {

@@ -46,18 +46,17 @@ double weightOf(const std::vector<std::size_t>& cells) {
 double ofRates(const std::vector<std::size_t>& cells, const Side& measured, const Side& simulated, double floor,
                std::size_t most_groups) {
   double result = 0.0;
-  const std::size_t groups = std::min(most_groups, cells.size());
-  for (std::size_t g = 0; g < groups; ++g) {
-    const std::size_t begin = cells.size() * g / groups, end = cells.size() * (g + 1) / groups;
+  const auto groups = evenParts(cells.size(), most_groups);
+  for (const auto& [begin, end] : groups) {
     const auto size = static_cast<double>(end - begin);
     const double m = measured.rate(cells, begin, end), s = simulated.rate(cells, begin, end);
     // One detection more than there were: a count of zero is no proof of a rate of zero.
     const double rate = 0.5 * (m + s) + 0.5 / (size * (measured.frames + simulated.frames));
     const double error = rate / size * (1.0 / measured.frames + 1.0 / simulated.frames) + floor * floor;
     const double z = (m - s) / std::sqrt(error);
-    result += groups > 1 ? groupLoss(z) : robustLoss(z);
+    result += groups.size() > 1 ? groupLoss(z) : robustLoss(z);
   }
-  return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups)) * result;
+  return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size())) * result;
 }
 
 double ofValues(const Replay& replay, const std::vector<std::size_t>& cells, const Side& measured,

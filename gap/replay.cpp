@@ -13,7 +13,7 @@ namespace gap {
 namespace {
 
 constexpr int kFewestRays = 9;                 // per direction, whatever the model has
-constexpr int kEdgeRays = 25;                  // denser, sheared grid of partly hit beams: right to 1/25² of the power
+constexpr int kEdgeRays = 45;                  // denser, sheared grid of partly hit beams: right to 1/45² of the power
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 

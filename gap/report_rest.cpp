@@ -26,8 +26,8 @@ std::string meaningOf(const Rest& rest) {
         share);
   if (rest.systematic <= kAccidental)
     return fmt::format(
-        "Hardly any of it ({}) follows distance, direction, surface or settings: no cause that depends on them would "
-        "help much.",
+        "Hardly any of it ({}) follows distance, direction, surface or settings smoothly: it is scattered, or changes "
+        "quickly with one of them.",
         share);
   return fmt::format("{} of it follows distance, direction, surface and settings in a regular way.", share);
 }

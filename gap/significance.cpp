@@ -35,7 +35,8 @@ Significance significanceOf(const Judge& judge, const Candidate& candidate) {
     after += of_world;
     if (of_world < of_baseline) better += 1.0 / static_cast<double>(held_out.samples.size());
   }
-  return {Distribution(gains).z(before - after), Distribution(rests).z(after), better};
+  const double improvement_z = Distribution(gains).z(before - after);
+  return {improvement_z, upperTail(improvement_z, kRuns), Distribution(rests).z(after), better};
 }
 
 double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {

@@ -9,6 +9,7 @@ namespace gap {
 /// show that the sum over all cells would hide in its noise.
 struct Significance {
   double improvement_z = 0.0;   ///< of the gain of discrepancy, against measurements drawn from the baseline
+  double p_value = 1.0;         ///< of such a gain by chance, of one candidate
   double rest_z = 0.0;          ///< of what is left, against measurements drawn from the candidate's own world
   double better_samples = 0.0;  ///< share of the held-out samples that it brings nearer
 };

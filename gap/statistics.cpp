@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace gap {
@@ -15,6 +16,11 @@ double medianOf(std::vector<double>& values) {
 double upperTail(double z) {
   constexpr double kFarthest = 37.0;
   return boost::math::cdf(boost::math::complement(boost::math::normal(), std::clamp(z, -kFarthest, kFarthest)));
+}
+
+double upperTail(double z, std::size_t runs) {
+  const auto n = static_cast<double>(runs);
+  return boost::math::cdf(boost::math::complement(boost::math::students_t(n - 1.0), z / std::sqrt(1.0 + 1.0 / n)));
 }
 
 Distribution::Distribution(const std::vector<double>& values) {

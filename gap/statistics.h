@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace gap {
@@ -9,6 +10,10 @@ namespace gap {
 
 /// Probability that a standard normal number is above z; beyond 37 what it is at 37, which a double still holds.
 [[nodiscard]] double upperTail(double z);
+
+/// The same of one more number, z standard deviations above the mean of so many runs, both taken from these runs:
+/// Student's t with n - 1 degrees of freedom, at z / sqrt(1 + 1/n).
+[[nodiscard]] double upperTail(double z, std::size_t runs);
 
 /// Mean and standard deviation (n - 1) of some runs, two at least.
 struct Distribution {
