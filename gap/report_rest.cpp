@@ -21,15 +21,16 @@ std::string meaningOf(const Rest& rest) {
   const std::string share = percent(rest.systematic);
   if (rest.systematic >= kRegular)
     return fmt::format(
-        "{} of it follows distance, direction, surface and settings in a regular way: something systematic is still "
-        "missing.",
+        "{} of what is left follows distance, direction, surface and settings in a regular way: something systematic "
+        "is "
+        "still missing.",
         share);
   if (rest.systematic <= kAccidental)
     return fmt::format(
-        "Hardly any of it ({}) follows distance, direction, surface or settings smoothly: it is scattered, or changes "
+        "Of what is left, {} follows distance, direction, surface or settings smoothly: it is scattered, or changes "
         "quickly with one of them.",
         share);
-  return fmt::format("{} of it follows distance, direction, surface and settings in a regular way.", share);
+  return fmt::format("{} of what is left follows distance, direction, surface and settings in a regular way.", share);
 }
 
 void addLaws(report::Page& page, const Rest& rest) {

@@ -287,7 +287,8 @@ struct Sums {
 
 }  // namespace
 
-Rest restOf(const Replay& replay, const Split& split, const WhereResult& before, const WhereResult& after) {
+std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
+                           const WhereResult& after) {
   const std::vector<Covariate> all = covariatesOf(replay, after.simulated);
   Rest rest;
   Sums sums;
@@ -317,8 +318,9 @@ Rest restOf(const Replay& replay, const Split& split, const WhereResult& before,
     law.unit = table.unit;
     rest.laws.push_back(std::move(law));
   }
-  rest.left = sums.left / std::max(1e-9, sums.before);
-  rest.systematic = 1.0 - sums.beyond_any / std::max(1e-9, sums.left);
+  if (sums.before <= 0.0) return std::nullopt;
+  rest.left = sums.left / sums.before;
+  rest.systematic = sums.left > 0.0 ? 1.0 - sums.beyond_any / sums.left : 0.0;
   std::stable_sort(rest.laws.begin(), rest.laws.end(),
                    [](const Law& a, const Law& b) { return a.explained > b.explained; });
   return rest;

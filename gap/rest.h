@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ struct Rest {
 /// The laws are found by forward selection among simple functions, as in sparse regression of dynamics (Brunton,
 /// Proctor & Kutz 2016, PNAS 113, 3932). Both are judged by the held-out samples only. Beams at edges take no part:
 /// two programs never agree there.
-[[nodiscard]] Rest restOf(const Replay& replay, const Split& split, const WhereResult& before,
-                          const WhereResult& after);
+///
+/// Nothing if too few cells off edges can be compared to say anything.
+[[nodiscard]] std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
+                                         const WhereResult& after);
 
 }  // namespace gap

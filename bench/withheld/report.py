@@ -12,7 +12,7 @@ def shown(result):
     if value is None:
         return "–"
     if result["interval"] is None:
-        return f"{value:.3g}"
+        return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"
     return f"{value:.2f} [{result['interval'][0]:.2f}, {result['interval'][1]:.2f}]"
 
 

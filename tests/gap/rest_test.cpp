@@ -32,7 +32,7 @@ class MadeUpResiduals : public ::testing::Test {
     return where;
   }
   [[nodiscard]] gap::Rest rest(const gap::WhereResult& before, const gap::WhereResult& after) const {
-    return gap::restOf(replay_, gap::splitOf(replay_, 1), before, after);
+    return gap::restOf(replay_, gap::splitOf(replay_, 1), before, after).value();
   }
 
   SmallWorld world_;
@@ -73,6 +73,12 @@ TEST_F(MadeUpResiduals, AWorldThatTakesHalfOfTheResidualAwayLeavesAQuarterOfItsS
       this->rest(residuals(residual), residuals([&](const gap::Cell& cell) { return 0.5 * residual(cell); }));
   EXPECT_NEAR(rest.left, 0.25, 0.05);
   EXPECT_GT(rest.ceiling(), 0.95);
+}
+
+TEST_F(MadeUpResiduals, NothingIsSaidOfAHandfulOfCells) {
+  gap::WhereResult few = residuals([](const gap::Cell&) { return 0.2; });
+  few.tables.front().rows.resize(20);
+  EXPECT_FALSE(gap::restOf(replay_, gap::splitOf(replay_, 1), few, few).has_value());
 }
 
 TEST(Wording, AFormulaNamesItsCovariates) {
