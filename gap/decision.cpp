@@ -84,11 +84,13 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   sortByMerit(singles);
 }
 
-/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
-/// noise of the explained share.
+/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves.
 bool roomForASecond(const LeftOver& single, double noise) {
   return single.total > kMaterialRest && single.discrepancy > 3.0 * noise;
 }
+
+/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
+/// noise of the explained share.
 bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) {
   const double gain = single.discrepancy - pair.discrepancy;
   const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;

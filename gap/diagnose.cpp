@@ -325,8 +325,11 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, decision, diagnosis);
-  if (diagnosis.present)
-    diagnosis.rest = restOf(replay, exact.split, where, whereIn(replay, winnersWorld(replay, decision), seed));
+  if (diagnosis.present) {
+    const bool added = decision.winner.has_value();  // without a cause what is left is what was there
+    diagnosis.rest =
+        restOf(replay, exact.split, where, added ? whereIn(replay, winnersWorld(replay, decision), seed) : where);
+  }
   diagnosis.notes = notesOn(replay);
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);

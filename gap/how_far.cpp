@@ -51,7 +51,7 @@ HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples,
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
   gaps_before_ = gapsTo(baseline);
   before_ = meanOf(gaps_before_);
-  noise_ = noiseOf(replay.baseline());
+  noise_ = noiseOf(replay.baseline(), baseline);
   core::parallelFor(draws_.size(), 1, [&](std::size_t number, std::size_t) {
     draws_[number] = drawn(number);
     draws_[number].before = gapOf(draws_[number], baseline);
@@ -76,8 +76,8 @@ std::vector<TotalGap> HeldOutGaps::gapsTo(const std::vector<core::Detections>& s
 
 double HeldOutGaps::totalIn(const World& world) const { return meanOf(gapsTo(simulated(world, seed_))).total; }
 
-double HeldOutGaps::noiseOf(const World& world) const {
-  const std::vector<core::Detections> one = simulated(world, seed_), other = simulated(world, seed_ + 1);
+double HeldOutGaps::noiseOf(const World& world, const std::vector<core::Detections>& one) const {
+  const std::vector<core::Detections> other = simulated(world, seed_ + 1);
   std::vector<TotalGap> gaps;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const int frames = replay_.samples()[samples_[i]].frames;
@@ -87,8 +87,9 @@ double HeldOutGaps::noiseOf(const World& world) const {
 }
 
 double HeldOutGaps::leftIn(const World& world) const {
-  const double noise = noiseOf(world);
-  return std::max(0.0, (totalIn(world) - noise) / std::max(1e-9, before_.total - noise));
+  const std::vector<core::Detections> detections = simulated(world, seed_);
+  const double noise = noiseOf(world, detections);
+  return std::max(0.0, (meanOf(gapsTo(detections)).total - noise) / std::max(1e-9, before_.total - noise));
 }
 
 double HeldOutGaps::shrinkTo(double after) const { return shrinkOf(before_.total, after); }

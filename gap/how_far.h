@@ -25,8 +25,6 @@ class HeldOutGaps {
   [[nodiscard]] std::map<std::string, Interval> biasIntervals() const;
   /// The mean total gap in another world.
   [[nodiscard]] double totalIn(const World& world) const;
-  /// The same if that world were right: between two simulations of it.
-  [[nodiscard]] double noiseOf(const World& world) const;
   /// What another world leaves of the gap beyond what it would leave if it were right; 1: nothing is gone.
   [[nodiscard]] double leftIn(const World& world) const;
   /// Share of the gap that lies above the noise of the model as it was brought: near 0, `leftIn` is guesswork.
@@ -48,6 +46,8 @@ class HeldOutGaps {
   [[nodiscard]] TotalGap gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const;
   [[nodiscard]] std::vector<core::Detections> simulated(const World& world, std::uint64_t seed) const;
   [[nodiscard]] std::vector<TotalGap> gapsTo(const std::vector<core::Detections>& simulated) const;
+  /// Mean total gap between a simulation of a world, under the own seed, and one of it under other noise.
+  [[nodiscard]] double noiseOf(const World& world, const std::vector<core::Detections>& simulated) const;
 
   const Replay& replay_;
   std::vector<std::size_t> samples_;
