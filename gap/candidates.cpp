@@ -16,14 +16,14 @@ namespace gap {
 namespace {
 
 constexpr int kFitFrames = 5;
-constexpr int kRefineFrames = 16;
+constexpr int kRefineFrames = 12;
 constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 8;
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
-constexpr double kNatsPerNumber = 4.0;     // of discrepancy: half the logarithm of some thousand cells (Schwarz 1978)
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
 constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams
 constexpr std::size_t kPolished = 3;  // of them fitted with more frames
+constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
 constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
@@ -91,6 +91,11 @@ double Judge::meritOf(const Candidate& candidate) const {
   const double price = std::max(kPricePerNumber, kNatsPerNumber / yardstick.whole());
   return 0.5 * (candidate.explained + as_it_is) - price * static_cast<double>(candidate.hypothesis.parameters.size()) -
          weight_of_total * std::min(kMostLeft, candidate.total_left);
+}
+
+double Judge::accountedFor(const Candidate& candidate) const {
+  const double of_total = 1.0 - std::clamp(candidate.total_left, 0.0, 1.0);
+  return (1.0 - weight_of_total) * std::min(1.0, candidate.explained) + weight_of_total * of_total;
 }
 
 void sortByMerit(std::vector<Candidate>& candidates) { std::stable_sort(candidates.begin(), candidates.end(), better); }
@@ -209,7 +214,7 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
     std::stable_sort(candidates.begin(), behind, better);
   };
   lookAt(leaders, false);
-  lookAt(std::min(leaders, kPolished), true);
+  lookAt(std::min(leaders, candidates.front().hypothesis.members.empty() ? kPolished : kPolishedPairs), true);
   // What was not looked at closely is no better than what was.
   const double of_last = (behind - 1)->merit;
   std::for_each(behind, candidates.end(),

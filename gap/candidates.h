@@ -72,6 +72,12 @@ struct Judge {
   /// Explained share (half of it as it is, half excused for the world's own noise), less what is left of the total gap,
   /// less a price for every free number: it must earn its place.
   [[nodiscard]] double meritOf(const Candidate& candidate) const;
+  /// Share of the gap that a candidate accounts for, cell by cell and pooled, the pooled gap as far as it stands above
+  /// noise. In [0, 1], but below 0 if it makes the cells worse.
+  [[nodiscard]] double accountedFor(const Candidate& candidate) const;
+  /// How much less likely a number that explains nothing makes a cause, in nats (Schwarz 1978: half the logarithm of
+  /// the number of data, some thousand cells).
+  static constexpr double kNatsPerNumber = 4.0;
 };
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.

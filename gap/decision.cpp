@@ -11,23 +11,20 @@ namespace gap {
 
 namespace {
 
-constexpr double kExplains = 0.70;       // share that a cause must explain on held-out data to be named
-constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
+constexpr double kAccountsFor = 0.65;  // share of the gap that a cause must account for to be named, if nothing else
+constexpr double kBeliefWidth = 0.07;  // of that share: from a cause that is as likely wrong to one that is hardly ever
+constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
 constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap
-constexpr double kLittleRest = 0.10;     // a cause that leaves less may be right though it explains single cells badly
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
-constexpr double kMostBelief = 0.9;      // other programs' physics differ from ours: docs/diagnosis.md
+constexpr double kMostBelief = 0.97;     // in anything
 constexpr double kProven = 6.0;          // standard deviations: for a library of sixty causes, and heavy tails
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
 constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
-constexpr double kMostRest = 0.7;        // of a clear total gap: a cause that leaves more must explain nearly all cells
-constexpr double kNearlyAll = 0.9;       // of the cells
-constexpr double kClearTotal = 0.1;      // weight of the total gap in a merit: a third of the gap is above noise
 constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
 constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
@@ -103,7 +100,19 @@ bool nothingElse(const Significance& significance) {
   return significance.improvement_z > kProven && significance.rest_z < kNoRest;
 }
 
-/// How well the best one is told from each cause that comes near to it.
+/// Free numbers that are not where the cause is absent: an effect may have several mechanisms, of which one is at work.
+double numbersAtWork(const Candidate& candidate) {
+  constexpr double kNothing = 0.01;  // of the range
+  double count = 0.0;
+  for (std::size_t i = 0; i < candidate.values.size(); ++i) {
+    const FreeParameter& p = candidate.hypothesis.parameters[i];
+    count += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
+  }
+  return count;
+}
+
+/// How well the best one is told from each cause that comes near to it. One that needs more numbers to say the same is
+/// less likely by their price.
 std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
   const double alike = kTie * judge.yardstick.whole();
@@ -116,7 +125,9 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
     if (candidate.merit < best.merit - kFarBehind) break;
     judge.hear(candidate);  // few beams may have been all that it was judged by so far
     const bool same = candidate.discrepancy < best.discrepancy + alike;
-    rivals.push_back({name, same ? 0.0 : std::max(0.0, separation(judge, best, candidate))});
+    const double apart = same ? 0.0 : std::max(0.0, separation(judge, best, candidate));
+    const double more_numbers = std::max(0.0, numbersAtWork(candidate) - numbersAtWork(best));
+    rivals.push_back({name, std::sqrt(apart * apart + 2.0 * Judge::kNatsPerNumber * more_numbers)});
   }
   return rivals;
 }
@@ -128,18 +139,17 @@ Judge withoutEdges(Judge judge) {
   return judge;
 }
 
-/// It explains a part of the single cells and hardly any of a pooled gap that stands well above noise.
-bool leavesTheGap(const Judge& judge, const Candidate& best) {
-  return judge.weight_of_total > kClearTotal && best.total_left > kMostRest && best.explained < kNearlyAll;
-}
-
 bool provesItself(const Significance& significance, double shrink) {
   return nothingElse(significance) && significance.better_samples >= kMostSamples && shrink > kLeastShrink;
 }
 
 }  // namespace
 
-std::vector<double> confidencesOf(const Decision& decision, bool weak) {
+double beliefIn(double accounted_for) {
+  return kMostBelief / (1.0 + std::exp((kAccountsFor - accounted_for) / kBeliefWidth));
+}
+
+std::vector<double> confidencesOf(const Decision& decision, double belief) {
   const std::vector<Candidate>& candidates = decision.singles;
   std::vector<double> confidences(candidates.size(), 0.0);
   if (candidates.empty()) return confidences;
@@ -149,12 +159,11 @@ std::vector<double> confidencesOf(const Decision& decision, bool weak) {
     const auto place = std::find_if(candidates.begin(), candidates.end(),
                                     [&](const Candidate& c) { return c.hypothesis.name == rival.name; });
     if (place == candidates.end()) continue;
-    const double belief = std::exp(-0.5 * rival.separation * rival.separation);
-    confidences[static_cast<std::size_t>(place - candidates.begin())] = belief;
-    sum += belief;
+    const double share = std::exp(-0.5 * rival.separation * rival.separation);
+    confidences[static_cast<std::size_t>(place - candidates.begin())] = share;
+    sum += share;
   }
-  const double trust = std::clamp((candidates.front().explained - 0.3) / 0.5, 0.0, 1.0) * (weak ? 0.6 : 1.0);
-  for (double& confidence : confidences) confidence *= kMostBelief * trust / sum;
+  for (double& confidence : confidences) confidence *= belief / sum;
   return confidences;
 }
 
@@ -198,12 +207,12 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     return decision;
   }
   const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
-  const double enough = std::max(kWeakGap, kExplains - 2.0 * noise);
+  const double enough = std::max(kWeakGap, kAccountsFor - 2.0 * noise);
   if (clear && roomForASecond(leftBy(decision.singles.front()), noise)) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
-    if (!pairs.empty() && pairs.front().explained >= enough) {
+    if (!pairs.empty() && exact.accountedFor(pairs.front()) >= enough) {
       const Candidate &pair = pairs.front(), &best = decision.singles.front();
       if (earnsItsSecond(leftBy(best), leftBy(pair), noise) && pair.total_left <= kMostRestOfPair &&
           separation(exact, pair, best) >= kSecondProven) {
@@ -220,10 +229,8 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     decision.kind = VerdictKind::kNone;
     return decision;
   }
-  // Another program's physics may differ cell by cell and still leave nothing of the gap that anybody would see.
-  const bool explains = best.explained >= enough ||
-                        (best.explained >= kWeakGap && (best.total_left < kLittleRest || nothingElse(significance)));
-  if (!clear || (explains && !leavesTheGap(exact, best))) {
+  const bool explains = exact.accountedFor(best) >= enough || (best.explained >= kWeakGap && nothingElse(significance));
+  if (!clear || explains) {
     decision.name(best);
     decision.rivals = rivalsOf(exact, decision.singles);
   }

@@ -13,8 +13,8 @@ namespace gap {
 /// A cause that comes near to the best one.
 struct Rival {
   std::string name;
-  double separation =
-      0.0;  ///< how much farther from held-out data, in standard deviations of that difference; 0: as near
+  double separation = 0.0;  ///< how much farther from held-out data, in standard deviations of that difference, and
+                            ///< what its further free numbers cost; 0: as near
 };
 
 /// What the search for causes ended with.
@@ -43,9 +43,11 @@ struct Decision {
                               const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
+/// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one.
+[[nodiscard]] double beliefIn(double accounted_for);
+
 /// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
-/// would be by chance, exp(-z²/2); the rest belongs to what none of them says, the more the less the best one explains.
-/// `weak`: no whole sample was held out.
-[[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, bool weak);
+/// would be by chance, exp(-z²/2).
+[[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, double belief);
 
 }  // namespace gap

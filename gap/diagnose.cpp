@@ -22,7 +22,9 @@ constexpr double kClear = 5.0;            // standard deviations: a gap beyond d
 constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
 constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are judged: more cost minutes and tell no more
 constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrink the pooled gap
-constexpr double kPairBelief = 0.7;       // of a pair that explains everything
+constexpr double kPairBelief = 0.85;      // of the belief in one cause: either of the two may be another one
+constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample could be held out
+constexpr double kMostUnknown = 0.85;     // belief that no cause of the library is at work
 constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
 constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
@@ -95,12 +97,15 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = judge.replay.samples().front().layout->pooled();
-  const auto confidences = confidencesOf(decision, judge.split.weak || pooled);
+  const double least = judge.split.weak || pooled ? kWeakBelief : 1.0;
+  const auto beliefOf = [&](const Candidate& candidate) { return least * beliefIn(judge.accountedFor(candidate)); };
+  const auto confidences =
+      decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;
   if (decision.pair()) {
     for (const Candidate& member : membersOf(*decision.winner)) {
       diagnosis.causes.push_back(toCause(member));
-      diagnosis.causes.back().confidence = kPairBelief * std::clamp(member.explained, 0.0, 1.0);
+      diagnosis.causes.back().confidence = kPairBelief * beliefOf(*decision.winner);
       listed.push_back(member.hypothesis.name);
     }
   }
@@ -247,11 +252,6 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();
-    // A cause that explains single cells but leaves the pooled gap as it was deserves little trust, unless it explains
-    // nearly all of them.
-    const double least = decision.winner->explained < kNearlyAllCells ? 0.3 : 0.7;
-    const double trust = std::clamp(1.2 - decision.winner->total_left, least, 1.0);
-    for (Cause& cause : diagnosis.causes) cause.confidence *= trust;
     verdict.confidence = diagnosis.causes.front().confidence;
     verdict.indistinguishable_from = decision.ties();
     if (verdict.indistinguishable_from.size() == 1)
@@ -259,8 +259,8 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const double best = decision.singles.empty() ? 0.0 : std::max(0.0, decision.singles.front().explained);
-    verdict.confidence = std::clamp(0.8 * (1.0 - best), 0.3, 0.8);
+    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
+    verdict.confidence = std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.evidence = evidenceOf(judge, decision);

@@ -14,6 +14,7 @@ namespace gap {
 namespace {
 
 constexpr int kRefinements = 70;      // evaluations of the refinement with several parameters
+constexpr int kFineRefinements = 40;  // of values that are nearly right, with more frames
 constexpr int kRoughTrials = 24;      // of a fit that is only to show whether a better one is worth it
 constexpr int kBrentBits = 13;        // 1e-4 of the scaled range: coarser, and refits would end where they began
 constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
@@ -31,11 +32,12 @@ constexpr double kFineStep = 0.02;
 /// Ends of a sector: they may lie anywhere, and nothing is special about zero.
 bool isAzimuth(const FreeParameter& p) { return p.name.starts_with("azimuth_"); }
 
-/// Maps a parameter to [0, 1]: logarithmic, linear, or (where zero, at which an effect is absent, lies inside or at the
-/// lower end) fine around zero.
+/// Maps a parameter to [0, 1]: logarithmic, linear, or (where the value at which an effect is absent lies inside or at
+/// an end of the range) fine around that.
 class Scale {
  public:
-  explicit Scale(const FreeParameter& p) : p_(p) {}
+  explicit Scale(const FreeParameter& p)
+      : p_(p), fine_(0.01 * std::max(std::abs(p.high - p.absent_at), std::abs(p.low - p.absent_at))) {}
 
   [[nodiscard]] double toUnit(double value) const {
     value = std::clamp(value, p_.low, p_.high);
@@ -47,16 +49,17 @@ class Scale {
   }
 
  private:
-  [[nodiscard]] bool reachesZero() const { return p_.low <= 0.0 && p_.high > 0.0 && !isAzimuth(p_); }
+  [[nodiscard]] bool mayBeAbsent() const { return p_.low <= p_.absent_at && p_.high >= p_.absent_at && !isAzimuth(p_); }
   [[nodiscard]] double bend(double value) const {
     if (p_.logarithmic) return std::log(value);
-    return reachesZero() ? std::asinh(value / (0.01 * p_.high)) : value;
+    return mayBeAbsent() ? std::asinh((value - p_.absent_at) / fine_) : value;
   }
   [[nodiscard]] double unbend(double bent) const {
     if (p_.logarithmic) return std::exp(bent);
-    return reachesZero() ? 0.01 * p_.high * std::sinh(bent) : bent;
+    return mayBeAbsent() ? p_.absent_at + fine_ * std::sinh(bent) : bent;
   }
   FreeParameter p_;
+  double fine_;  ///< distance from where it is absent up to which steps are even
 };
 
 /// n-th element of the van der Corput sequence in a base: together a Halton sequence, even and deterministic.
@@ -386,7 +389,7 @@ std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, c
                            const std::vector<double>& values, const core::Progress& progress) {
   if (hypothesis.per_setup || values.empty()) return values;
   const Objective objective(replay, hypothesis, evidence, progress);
-  return searched(objective, objective.unitOf(values), kFineReach, kFineStep);
+  return searched(objective, objective.unitOf(values), kFineReach, kFineStep, kFineRefinements);
 }
 
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,

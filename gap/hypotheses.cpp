@@ -18,6 +18,20 @@ namespace {
 
 constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
 
+/// The number that an effect declares under this name.
+FreeParameter declared(const model::EffectInfo& info, const std::string& name) {
+  const auto p = std::find_if(info.parameters.begin(), info.parameters.end(),
+                              [&](const model::ParameterInfo& parameter) { return parameter.name == name; });
+  const double low = p->logarithmic && p->min <= 0.0 ? p->max * 1e-4 : p->min;
+  return {p->name, p->unit, low, p->max, p->logarithmic, std::clamp(p->typical, low, p->max), p->absent_at};
+}
+
+model::EffectParameters parametersOf(const std::vector<std::string>& names, const std::vector<double>& values) {
+  model::EffectParameters parameters;
+  for (std::size_t i = 0; i < names.size(); ++i) parameters.numbers[names[i]] = values[i];
+  return parameters;
+}
+
 Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std::string>& fitted,
                             const std::string& variant) {
   Hypothesis hypothesis;
@@ -26,18 +40,10 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.variant = variant;
   hypothesis.percollect = info.percollect;
   hypothesis.decomposition_block = model::toString(info.stage);
-  for (const std::string& name : fitted) {
-    for (const model::ParameterInfo& p : info.parameters) {
-      if (p.name != name) continue;
-      const double low = p.logarithmic && p.min <= 0.0 ? p.max * 1e-4 : p.min;
-      hypothesis.parameters.push_back({p.name, p.unit, low, p.max, p.logarithmic, std::clamp(p.typical, low, p.max)});
-    }
-  }
+  for (const std::string& name : fitted) hypothesis.parameters.push_back(declared(info, name));
   const std::string effect = info.name;
   hypothesis.apply = [effect, fitted](World& world, const std::vector<double>& values) {
-    model::EffectParameters parameters;
-    for (std::size_t i = 0; i < fitted.size(); ++i) parameters.numbers[fitted[i]] = values[i];
-    world.model = model::withEffect(world.model, {effect, parameters, {}});
+    world.model = model::withEffect(world.model, {effect, parametersOf(fitted, values), {}});
   };
   return hypothesis;
 }
@@ -117,12 +123,14 @@ void addParts(const std::vector<std::string>& sensors, std::vector<Hypothesis>& 
 }
 
 /// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
-bool hasSubject(const Replay& replay, const model::EffectEntry& entry) {
+bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std::vector<std::string>& fitted) {
   const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
   const bool of_ways = entry.info.name == "transmission" || entry.info.name == "multipath";
   if (!of_motion && !of_ways) return true;
   if (of_motion && replay.baseline().model.has("motion-scan")) return true;  // the sensor itself may move
-  const auto effect = entry.make({});
+  std::vector<double> typical;
+  for (const std::string& name : fitted) typical.push_back(declared(entry.info, name).start);
+  const auto effect = entry.make(parametersOf(fitted, typical));
   for (const ReplaySample& sample : replay.samples()) {
     const model::Scene scene = model::situationOf(replay.experiment(), *sample.sample).scene;
     const auto moves = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
@@ -142,14 +150,15 @@ bool considered(const Replay& replay, const std::string& effect, const std::vect
 void addEffects(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
   for (const model::EffectEntry& entry : model::allEffects()) {
     const model::EffectInfo& info = entry.info;
-    if (!considered(replay, info.name, only) || info.name == kUnevenLayers || !hasSubject(replay, entry)) continue;
-    list.push_back(effectHypothesis(info, info.fitted, ""));
-    orderSector(list.back());
-    if (info.name == "exhaust-cloud") placeCloud(list.back());
-    if (info.name == "angular-reflection") list.push_back(effectHypothesis(info, {"roughness_rad"}, "oren-nayar"));
-    if (info.name == "range-walk") {
-      list.push_back(effectHypothesis(info, {}, "bare crossing"));
-      list.push_back(effectHypothesis(info, {"coefficient_m"}, "linear front"));
+    if (!considered(replay, info.name, only) || info.name == kUnevenLayers) continue;
+    if (hasSubject(replay, entry, info.fitted)) {
+      list.push_back(effectHypothesis(info, info.fitted, ""));
+      orderSector(list.back());
+      if (info.name == "exhaust-cloud") placeCloud(list.back());
+    }
+    for (const model::FittedForm& form : info.other_forms) {
+      if (hasSubject(replay, entry, form.parameters))
+        list.push_back(effectHypothesis(info, form.parameters, form.name));
     }
   }
 }

@@ -20,6 +20,7 @@ struct FreeParameter {
   double high = 0.0;
   bool logarithmic = false;
   double start = 0.0;
+  double absent_at = 0.0;  ///< where the cause does nothing
 };
 
 /// One possible cause of the gap: how the world would differ from the baseline.

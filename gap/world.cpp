@@ -1,5 +1,7 @@
 #include "gap/world.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 
 namespace gap {
@@ -15,7 +17,11 @@ std::string geometryKey(const World& world, const model::Sample& sample) {
     if (!effect.actsOn(sample.sensor)) continue;
     if (!model::findEffect(effect.name)->info.moves_geometry) continue;
     key += effect.name + "{";
-    for (const auto& [name, value] : effect.parameters.numbers) key += name + "=" + core::shortestNumber(value) + ";";
+    const auto& power_only = model::findEffect(effect.name)->info.power_only;
+    for (const auto& [name, value] : effect.parameters.numbers) {
+      const bool moves = std::find(power_only.begin(), power_only.end(), name) == power_only.end();
+      key += moves ? name + "=" + core::shortestNumber(value) + ";" : name + ";";
+    }
     for (const auto& [name, values] : effect.parameters.lists) {
       key += name + "=[";
       for (const double value : values) key += core::shortestNumber(value) + ",";

@@ -50,9 +50,10 @@ EffectEntry angularReflection() {
                .parameters = {{"roughness_rad", "rad", 0.0, 1.6, std::nullopt,
                                "Oren–Nayar: standard deviation of the facets' slope", false, 0.35},
                               {"diffuse_fraction", "", 0.0, 1.0, std::nullopt, "Phong: share of the diffuse part",
-                               false, 0.8},
+                               false, 0.8, 1.0},
                               {"exponent", "", 1.0, 1000.0, std::nullopt, "Phong: sharpness of the lobe", true, 20.0}},
                .fitted = {"diffuse_fraction", "exponent"},
+               .other_forms = {{"oren-nayar", {"roughness_rad"}}},
                .source =
                    "Oren & Nayar 1994, doi:10.1145/192161.192213; Lafortune & Willems 1994, CW 197; Cook & Torrance "
                    "1982, doi:10.1145/357290.357293"},

@@ -38,6 +38,7 @@ EffectEntry clockDrift() {
                               {"per_kelvin_ppm", "ppm/K", -200.0, 200.0, 0.0, "Change of the scale with temperature",
                                false, 10.0}},
                .fitted = {"scale_ppm"},
+               .other_forms = {{"with temperature", {"per_kelvin_ppm"}}},
                .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610 (scale factor and its temperature dependence)"},
       .make = makeFrom<ClockDrift>};
 }

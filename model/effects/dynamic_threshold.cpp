@@ -72,6 +72,7 @@ EffectEntry dynamicThreshold() {
                                   {"window", "m", 0.0, 100.0, 0.0,
                                    "Range up to which the threshold falls with the square of the range", false, 10.0}},
                    .fitted = {"factor"},
+                   .other_forms = {{"falling with range", {"factor", "window"}}},
                    .source =
                        "Richards 2014, Fundamentals of Radar Signal Processing, ch. 6.5; Skolnik 2001, Introduction to "
                        "Radar Systems"},

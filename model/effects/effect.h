@@ -31,6 +31,7 @@ struct ParameterInfo {
   std::string meaning;
   bool logarithmic = false;  ///< varies over decades: search it on a logarithmic scale
   double typical = 0.0;      ///< a start for a fit
+  double absent_at = 0.0;    ///< where the effect does nothing: searched finely if it lies in the plausible range
 };
 
 /// A list of numbers that an effect takes.
@@ -43,6 +44,12 @@ struct ListInfo {
   std::string meaning;
 };
 
+/// Other numbers that a diagnosis may fit of the same effect: another law or another mechanism.
+struct FittedForm {
+  std::string name;                     ///< for people, tells it from the usual form
+  std::vector<std::string> parameters;  ///< of it, that are free; may be none
+};
+
 /// What an effect says about itself; the command line, the desktop, the diagnosis and the documentation read this.
 struct EffectInfo {
   std::string name;   ///< effects.md, kebab-case
@@ -51,8 +58,10 @@ struct EffectInfo {
   std::vector<std::string> percollect;  ///< node ids of the LidarLimbs JSON release
   std::vector<ParameterInfo> parameters;
   std::vector<std::string> fitted;  ///< parameters that a diagnosis fits (the others keep default or recorded values)
-  std::string source;               ///< literature
-  bool moves_geometry = false;      ///< changes which rays are traced
+  std::vector<FittedForm> other_forms;
+  std::string source;                   ///< literature
+  bool moves_geometry = false;          ///< changes which rays are traced
+  std::vector<std::string> power_only;  ///< parameters that change what traced rays carry, not where they go
 };
 
 /// The values given in a model file.

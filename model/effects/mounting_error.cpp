@@ -58,6 +58,7 @@ EffectEntry mountingError() {
                     {"pitch_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed pitch, positive down", false, 0.5},
                     {"roll_deg", "deg", -5.0, 5.0, 0.0, "True minus assumed roll, positive to the right", false, 0.5}},
                .fitted = {"yaw_deg", "pitch_deg"},
+               .other_forms = {{"roll", {"roll_deg"}}},
                .source = "Glennie & Lichti 2010, doi:10.3390/rs2061610",
                .moves_geometry = true},
       .make = makeFrom<MountingError>,

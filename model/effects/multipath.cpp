@@ -37,6 +37,7 @@ class Multipath final : public Effect {
   }
   [[nodiscard]] bool mirrors(const Material& material) const override {
     constexpr double kWorthTracing = 1e-3;
+    if (specular_fraction_ && material.brdf.model != BrdfModel::kGlass) return material.reflectivity > 0.0;
     return mirroredShare(material, 1.0) > kWorthTracing;
   }
   [[nodiscard]] bool changesPower() const override { return true; }
@@ -85,8 +86,10 @@ EffectEntry multipath() {
                                false, 2.0},
                               {"specular_fraction", "", 0.0, 1.0, std::nullopt,
                                "Mirrored share of every surface's reflection; without it the material's", false, 0.3}},
+               .other_forms = {{"every surface", {"specular_fraction"}}},
                .source = "Born & Wolf, Principles of Optics, 7th ed., sec. 1.5.2",
-               .moves_geometry = true},
+               .moves_geometry = true,
+               .power_only = {"specular_fraction"}},
       .make = makeFrom<Multipath>};
 }
 

@@ -176,6 +176,7 @@ EffectEntry precipitationClutter() {
                                   {"window_m", "m", 0.001, 0.1, 0.01, "Width of the beam where it leaves the sensor",
                                    true, 0.01}},
                    .fitted = {"rain_rate_mm_h"},
+                   .other_forms = {{"snow", {"snow_rate_mm_h"}}},
                    .source = "Marshall & Palmer 1948; Gunn & Marshall 1958; Rasshofer et al. 2011, "
                              "doi:10.5194/ars-9-49-2011"},
           .make = makeFrom<PrecipitationClutter>};

@@ -40,6 +40,7 @@ EffectEntry quantisation() {
                               {"intensity_full_scale_nw", "nW", 1.0, 1e9, 1e5, "Intensity of the highest level", true,
                                1e5}},
                .fitted = {"range_step_m"},
+               .other_forms = {{"echo pulse width", {"epw_step_m"}}, {"intensity", {"intensity_bits"}}},
                .source = "Widrow & Kollár 2008, Quantization Noise, ch. 4"},
       .make = makeFrom<Quantisation>};
 }

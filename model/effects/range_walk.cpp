@@ -53,6 +53,7 @@ EffectEntry rangeWalk() {
                                "Peak power over threshold at which the range is right; without it the bare crossing",
                                true, 50.0}},
                .fitted = {"calibrated_at_snr"},
+               .other_forms = {{"bare crossing", {}}, {"linear front", {"coefficient_m"}}},
                .source = "Amann et al. 2001, doi:10.1117/1.1330700"},
       .make = makeFrom<RangeWalk>};
 }

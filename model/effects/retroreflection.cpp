@@ -39,6 +39,7 @@ EffectEntry retroreflection() {
                                   {"half_width_rad", "rad", 0.01, 1.5, std::nullopt,
                                    "Entrance angle of half the surplus; without it the material's", true, 0.5}},
                    .fitted = {"gain"},
+                   .other_forms = {{"other width", {"gain", "half_width_rad"}}},
                    .source = "ASTM E808-01; Lloyd 2008, Retroreflection"},
           .make = makeFrom<Retroreflection>};
 }

@@ -57,6 +57,7 @@ EffectEntry saturation() {
                                    "Power at which the output clips; without it the profile's", true, 1e-6},
                                   {"recovery_ns", "ns", 0.0, 50.0, 0.0, "Time constant of the recovery", false, 5.0}},
                    .fitted = {"saturation_w"},
+                   .other_forms = {{"with recovery", {"saturation_w", "recovery_ns"}}},
                    .source = "Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001"},
           .make = makeFrom<Saturation>};
 }

@@ -61,6 +61,16 @@ TEST_F(Search, FindsAWeakCauseWhereStrongerOnesAreWorseThanNone) {
   EXPECT_GT(found.gain, 0.0);
 }
 
+// A lobe is absent where all of the reflection is diffuse, at the upper end of that share.
+TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
+  measure({{"angular-reflection", {{"model", "phong"}, {"diffuse_fraction", 0.97}, {"exponent", 20}}}});
+  const gap::Hypothesis lobe = effect("angular-reflection");
+  const gap::Scouted found = scouted(lobe);
+  ASSERT_EQ(lobe.parameters[0].name, "diffuse_fraction");
+  EXPECT_NEAR(found.values[0], 0.97, 0.02);
+  EXPECT_GT(found.gain, 0.3);
+}
+
 // Whatever lies between 0.42 and 0.81 is equally right, and an end of it the worst guess for other samples.
 TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
   measure({}, {{"r8", 0.1}, {"r13", 0.1}, {"r19", 0.1}, {"r27", 0.1}, {"r36", 0.1}, {"r46", 0.1}});

@@ -37,6 +37,10 @@ TEST(Effects, DeclareThemselvesCompletely) {
       EXPECT_FALSE(parameter.meaning.empty());
     }
     for (const std::string& fitted : info.fitted) EXPECT_TRUE(known.count(fitted)) << info.name << " fits " << fitted;
+    for (const FittedForm& form : info.other_forms) {
+      EXPECT_FALSE(form.name.empty()) << info.name;
+      for (const std::string& fitted : form.parameters) EXPECT_TRUE(known.count(fitted)) << info.name << " " << fitted;
+    }
     EXPECT_EQ(findEffect(info.name), &entry);
   }
   EXPECT_EQ(findEffect("no-such-effect"), nullptr);
