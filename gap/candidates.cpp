@@ -16,7 +16,7 @@ namespace gap {
 namespace {
 
 constexpr int kFitFrames = 5;
-constexpr int kRefineFrames = 12;
+constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 8;
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
@@ -27,7 +27,8 @@ constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
 constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
-constexpr double kNearlyAsGood = 0.3;      // in merit: farther behind no refinement helps
+constexpr double kWorthMore = 0.05;  // of the discrepancy: what gained less is tried in no further form that takes long
+constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement helps
 
 Split withRefined(Split split) {
   split.refined = split.fitted;
@@ -49,6 +50,15 @@ std::vector<bool> stillPromising(const std::vector<Scouted>& scouted) {
   std::vector<bool> promising;
   for (const Scouted& one : scouted) promising.push_back(one.gain >= of_last || one.gain >= kFitShare * gains.front());
   return promising;
+}
+
+/// Whether another form of the same cause gained enough to try one that takes long.
+bool worthMore(const Hypothesis& costly, const std::vector<Hypothesis>& tried, const std::vector<Scouted>& scouted) {
+  for (std::size_t h = 0; h < tried.size(); ++h) {
+    const bool same = tried[h].name == costly.name && tried[h].sensors == costly.sensors;
+    if (same && scouted[h].gain >= kWorthMore) return true;
+  }
+  return false;
 }
 
 /// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
@@ -170,28 +180,36 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
 
 std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
                             const std::vector<WhereRow>& where, core::Progress& progress) {
-  std::vector<Scouted> scouted(hypotheses.size());
   std::atomic<std::size_t> done = 0;
   const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
     progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
   };
-  core::parallelFor(hypotheses.size(), 1, [&](std::size_t h, std::size_t) {
-    const Hypothesis& hypothesis = hypotheses[h];
-    scouted[h] = scout(judge.replay, hypothesis, fittedFor(judge, hypothesis),
-                       startsFrom(judge.replay, hypothesis, where), progress);
-    report("tried ", hypothesis);
-  });
+  const auto scoutAll = [&](const std::vector<Hypothesis>& some) {
+    std::vector<Scouted> scouted(some.size());
+    core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
+      scouted[h] =
+          scout(judge.replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress);
+      report("tried ", some[h]);
+    });
+    return scouted;
+  };
+  std::vector<Hypothesis> tried, costly;
+  for (const Hypothesis& hypothesis : hypotheses) (hypothesis.costly ? costly : tried).push_back(hypothesis);
+  std::vector<Scouted> scouted = scoutAll(tried);
+  std::erase_if(costly, [&](const Hypothesis& hypothesis) { return !worthMore(hypothesis, tried, scouted); });
+  for (Scouted& one : scoutAll(costly)) scouted.push_back(std::move(one));
+  tried.insert(tried.end(), costly.begin(), costly.end());
+
   const std::vector<bool> promising = stillPromising(scouted);
-  std::vector<Candidate> candidates(hypotheses.size());
-  core::parallelFor(hypotheses.size(), 1, [&](std::size_t h, std::size_t) {
-    const Hypothesis& hypothesis = hypotheses[h];
-    candidates[h].hypothesis = hypothesis;
-    candidates[h].values = scouted[h].values;
+  std::vector<Candidate> candidates(tried.size());
+  core::parallelFor(tried.size(), 1, [&](std::size_t h, std::size_t) {
+    Candidate& candidate = candidates[h];
+    candidate.hypothesis = tried[h];
+    candidate.values = scouted[h].values;
     if (promising[h])
-      candidates[h].values =
-          fitFrom(judge.replay, hypothesis, fittedFor(judge, hypothesis), scouted[h].values, progress);
-    judge.hear(candidates[h]);
-    report("fitted ", hypothesis);
+      candidate.values = fitFrom(judge.replay, tried[h], fittedFor(judge, tried[h]), scouted[h].values, progress);
+    judge.hear(candidate);
+    report("fitted ", tried[h]);
   });
   sortByMerit(candidates);
   return candidates;

@@ -14,13 +14,14 @@ namespace {
 constexpr double kAccountsFor = 0.65;  // share of the gap that a cause must account for to be named, if nothing else
 constexpr double kBeliefWidth = 0.07;  // of that share: from a cause that is as likely wrong to one that is hardly ever
 constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
-constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap
+constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
+constexpr double kMaterialCells = 0.08;  // or of the discrepancy
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
 constexpr double kMostBelief = 0.97;     // in anything
-constexpr double kProven = 6.0;          // standard deviations: for a library of sixty causes, and heavy tails
+constexpr double kProven = 4.5;          // standard deviations: one in a hundred, for sixty causes and 16 runs
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
@@ -83,14 +84,16 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
 
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves.
 bool roomForASecond(const LeftOver& single, double noise) {
-  return single.total > kMaterialRest && single.discrepancy > 3.0 * noise;
+  return (single.total > kMaterialRest || single.discrepancy > kMaterialCells) && single.discrepancy > 3.0 * noise;
 }
 
 /// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
 /// noise of the explained share.
 bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) {
   const double gain = single.discrepancy - pair.discrepancy;
-  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05;
+  const bool no_larger =
+      pair.total < single.total + kMaterialRest;  // what helps the cells must not harm the pooled gap
+  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05 && no_larger;
   const bool smaller = pair.total < kTotalGain * single.total;
   return roomForASecond(single, noise) && gain > 3.0 * noise && (closer || smaller);
 }

@@ -24,8 +24,9 @@ constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are ju
 constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrink the pooled gap
 constexpr double kPairBelief = 0.85;      // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample could be held out
+constexpr double kLeastNamed = 0.3;       // of a cause that is named because nothing else is left: it explains little
 constexpr double kMostUnknown = 0.85;     // belief that no cause of the library is at work
-constexpr double kNoneBelief = 0.85;      // that nothing is missing, where nothing is seen
+constexpr double kNoneBelief = 0.6;       // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
 constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
 constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
@@ -98,7 +99,10 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = judge.replay.samples().front().layout->pooled();
   const double least = judge.split.weak || pooled ? kWeakBelief : 1.0;
-  const auto beliefOf = [&](const Candidate& candidate) { return least * beliefIn(judge.accountedFor(candidate)); };
+  const double named = decision.winner ? kLeastNamed : 0.0;
+  const auto beliefOf = [&](const Candidate& candidate) {
+    return least * std::max(named, beliefIn(judge.accountedFor(candidate)));
+  };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;

@@ -407,6 +407,12 @@ std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothe
   return searched(objective, objective.unitOf(start), kReach, kFirstStep, kRoughTrials);
 }
 
+double resolvedAt(const FreeParameter& parameter, double value) {
+  const Scale scale(parameter);
+  const double step = std::ldexp(1.0, -kBrentBits), unit = scale.toUnit(value);
+  return 0.5 * (scale.toValue(unit + step) - scale.toValue(unit - step));
+}
+
 std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis) {
   std::vector<Scale> scales;
   for (const FreeParameter& parameter : hypothesis.parameters) scales.emplace_back(parameter);

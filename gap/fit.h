@@ -52,6 +52,9 @@ struct Scouted {
                                                const Evidence& evidence, const std::vector<double>& start,
                                                const core::Progress& progress);
 
+/// Half of the least distance of two values that the search tells apart here.
+[[nodiscard]] double resolvedAt(const FreeParameter& parameter, double value);
+
 /// Some values spread evenly over the plausible range of a hypothesis; none if it has no free number.
 [[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis);
 

@@ -177,9 +177,11 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
   for (std::size_t p = 0; p < values.size(); ++p) {
     const double error = std::sqrt((n - 1.0) / n * squaresAbout(jackknife, p) +
                                    squaresAbout(noise, p) / static_cast<double>(kNoiseRefits - 1));
-    // Nothing is seen of a sector's end between two beams.
-    const bool sector_end = hypothesis.parameters[p].name.rfind("azimuth_", 0) == 0;
-    const double reach = std::max(t * error, sector_end ? azimuthStep_deg(replay) / 2.0 : 0.0);
+    // Nothing is seen of a sector's end between two beams, and of no value what is finer than the search.
+    const FreeParameter& parameter = hypothesis.parameters[p];
+    const bool sector_end = parameter.name.rfind("azimuth_", 0) == 0;
+    const double least = sector_end ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
+    const double reach = std::max(t * error, least);
     intervals.push_back({values[p] - reach, values[p] + reach});
   }
   return intervals;

@@ -157,8 +157,9 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
       if (info.name == "exhaust-cloud") placeCloud(list.back());
     }
     for (const model::FittedForm& form : info.other_forms) {
-      if (hasSubject(replay, entry, form.parameters))
-        list.push_back(effectHypothesis(info, form.parameters, form.name));
+      if (!hasSubject(replay, entry, form.parameters)) continue;
+      list.push_back(effectHypothesis(info, form.parameters, form.name));
+      list.back().costly = form.costly;
     }
   }
 }

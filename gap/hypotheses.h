@@ -33,6 +33,7 @@ struct Hypothesis {
   std::vector<std::string> percollect;  ///< graph nodes that the cause stands for
   std::string decomposition_block;
   bool per_setup = false;            ///< one parameter a set-up, named after it
+  bool costly = false;               ///< to fit: only where another form of the same cause explains something already
   std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
   std::vector<Hypothesis> members;   ///< of a pair, in the order of its parameters; empty for a single cause
 };

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "core/physics.h"
 #include "gap/statistics.h"
@@ -13,9 +14,9 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kMostStrata = 4;                         // of azimuth, and of range
-constexpr double kStrengths[] = {0.01, 0.04, 0.15, 0.4, 0.8};  // how strong the cause is there, the map does not say
-constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};      // of a cloud in a direction
+constexpr std::size_t kMostStrata = 4;                           // of azimuth, and of range
+constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
 
 /// Smallest distance of two different measured ranges: the step of a counter shows in its values.
 double smallestRangeStep_m(const Replay& replay) {
@@ -36,20 +37,48 @@ struct ExtraEchoes {
   double azimuth_deg, width_deg, range_m;
 };
 
+/// Echoes that one beam has where no surface is.
+struct Extra {
+  double range_m, azimuth_deg, count;
+};
+
+/// The most echoes that lie within a tenth of their distance (a metre at least); `all` by range. Echoes of a second
+/// cause may be spread over all ranges, and would move a mean or median of all to where there are none.
+std::span<const Extra> densestOf(std::span<const Extra> all) {
+  std::span<const Extra> densest;
+  double most = 0.0, count = 0.0;
+  for (std::size_t from = 0, to = 0; from < all.size(); ++from) {
+    const double end_m = all[from].range_m + std::max(1.0, 0.1 * all[from].range_m);
+    for (; to < all.size() && all[to].range_m <= end_m; ++to) count += all[to].count;
+    if (count > most) {
+      most = count;
+      densest = all.subspan(from, to - from);
+    }
+    count -= all[from].count;
+  }
+  return densest;
+}
+
 std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
   constexpr std::size_t kFewest = 5;
-  std::vector<double> azimuths_deg, ranges_m;
+  std::vector<Extra> all;
   for (const ReplaySample& sample : replay.samples()) {
     for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
       const CellStatistics& s = sample.statistics[c];
       if (s.count == 0.0 || sample.layout->cells()[c].at_edge) continue;
-      azimuths_deg.push_back(sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad);
-      ranges_m.push_back(s.mean(kRange));
+      all.push_back(
+          {s.mean(kRange), sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad, s.count});
     }
   }
-  if (azimuths_deg.size() < kFewest) return std::nullopt;
+  std::stable_sort(all.begin(), all.end(), [](const Extra& a, const Extra& b) { return a.range_m < b.range_m; });
+  const auto densest = densestOf(all);
+  if (densest.size() < kFewest) return std::nullopt;
+  std::vector<double> azimuths_deg, ranges_m, deviations_deg;
+  for (const Extra& extra : densest) {
+    azimuths_deg.push_back(extra.azimuth_deg);
+    ranges_m.push_back(extra.range_m);
+  }
   const double middle_deg = medianOf(azimuths_deg);
-  std::vector<double> deviations_deg;
   for (const double azimuth_deg : azimuths_deg) deviations_deg.push_back(std::abs(azimuth_deg - middle_deg));
   return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
 }

@@ -99,14 +99,14 @@ def set_value(draft, pointer, value):
 
 
 def shift_by_measurand(lab, tables, complete, lacking):
-    """How much of the gap each measurand loses with the cause in the simulation, in steps of its resolution (or per cent)."""
+    """How much less each measurand deviates beam by beam with the cause in the simulation, in steps of its resolution (existence: per cent)."""
     totals = {}
     for sample in lab.held["samples"]:
         for sign, simulated in ((1, lacking), (-1, complete)):
-            _, parts = distance.sample_gap(lab.held["measurands"], tables[sample["id"]], simulated[sample["id"]], sample["frames"])
-            for name, (a, b) in parts.items():
+            parts = distance.beam_by_beam(lab.held["measurands"], tables[sample["id"]], simulated[sample["id"]], sample["frames"])
+            for name, deviation in parts.items():
                 unit = 100 if name == "existence" else 1 / next(m["resolution"] for m in lab.held["measurands"] if m["name"] == name)
-                totals[name] = totals.get(name, 0) + sign * unit * (abs(a) + b) / len(lab.held["samples"])
+                totals[name] = totals.get(name, 0) + sign * unit * deviation / len(lab.held["samples"])
     return totals
 
 

@@ -5,9 +5,12 @@ Tables are {column: list}; a sample's gap is the sum over the measurands of (|d_
 """
 
 import math
+import statistics
 from collections import Counter
 
 CELL_DEG = 2.0
+BEAM_DEG = 0.05  # less than any step of a scan, more than rounding
+LEAST_ECHOES = 3  # of a beam, for a mean
 
 
 def double_validation(real, simulated):
@@ -51,3 +54,34 @@ def sample_gap(measurands, real, simulated, frames):
     missing, extra = existence(real, simulated, frames)
     parts["existence"] = (missing, extra)
     return total + 100 * (missing + extra), parts
+
+
+def of_beams(table, column):
+    """{(layer, azimuth): values of its first echoes}"""
+    beams = {}
+    echoes = table.get("echo") or [1] * len(table["layer"])
+    for layer, azimuth, echo, value in zip(table["layer"], table["azimuth_rad"], echoes, table[column]):
+        if echo == 1:
+            beams.setdefault((layer, round(math.degrees(azimuth) / BEAM_DEG)), []).append(value)
+    return beams
+
+
+def beam_by_beam(measurands, real, simulated, frames):
+    """{measurand: mean over beams of the difference of their means and of their spreads}, and of echoes per shot.
+
+    The EDF of a whole sample moves by metres where a few echoes are lost; what a measurand deviates by, beams that both
+    have show."""
+    parts = {}
+    for m in measurands:
+        if not real.get(m["column"]) or not simulated.get(m["column"]):
+            continue
+        a, b = of_beams(real, m["column"]), of_beams(simulated, m["column"])
+        both = [(a[beam], b[beam]) for beam in a.keys() & b.keys() if min(len(a[beam]), len(b[beam])) >= LEAST_ECHOES]
+        off = [abs(statistics.fmean(x) - statistics.fmean(y)) + abs(statistics.pstdev(x) - statistics.pstdev(y)) for x, y in both]
+        parts[m["name"]] = statistics.fmean(off) if off else 0.0
+    cells = Counter()
+    for table, sign in ((simulated, 1), (real, -1)):
+        for layer, azimuth in zip(table["layer"], table["azimuth_rad"]):
+            cells[layer, round(math.degrees(azimuth) / BEAM_DEG)] += sign / frames
+    parts["existence"] = statistics.fmean(map(abs, cells.values())) if cells else 0.0
+    return parts

@@ -48,6 +48,7 @@ struct ListInfo {
 struct FittedForm {
   std::string name;                     ///< for people, tells it from the usual form
   std::vector<std::string> parameters;  ///< of it, that are free; may be none
+  bool costly = false;                  ///< to fit: only where the usual form explains something already
 };
 
 /// What an effect says about itself; the command line, the desktop, the diagnosis and the documentation read this.

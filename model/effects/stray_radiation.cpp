@@ -57,6 +57,7 @@ EffectEntry strayRadiation() {
                                   {"half_angle_rad", "rad", 0.002, 0.1, 0.02,
                                    "From the beam's axis to the pedestal's edge", true, 0.02}},
                    .fitted = {"fraction"},
+                   .other_forms = {{"other angle", {"fraction", "half_angle_rad"}, true}},
                    .source = "Peterson 2004, Proc. SPIE 5178 (in-field scattered light)",
                    .moves_geometry = true},
           .make = makeFrom<StrayRadiation>};

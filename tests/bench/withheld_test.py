@@ -61,6 +61,14 @@ class Distance(unittest.TestCase):
         self.assertAlmostEqual(bias, 0.0)
         self.assertAlmostEqual(scatter, 1.0)
 
+    def test_a_lost_echo_moves_no_measurand_of_the_beams_that_both_have(self):
+        table = lambda beams: {"layer": [0] * len(beams) * 4, "echo": [1] * len(beams) * 4,
+                               "azimuth_rad": [a for a, _ in beams for _ in range(4)], "range_m": [r for _, r in beams for _ in range(4)]}
+        measurands = [{"name": "range", "column": "range_m"}]
+        parts = distance.beam_by_beam(measurands, table([(0.0, 10.0), (0.1, 50.0)]), table([(0.0, 10.25)]), 4)
+        self.assertAlmostEqual(parts["range"], 0.25)  # means of the whole samples differ by 20 m
+        self.assertAlmostEqual(parts["existence"], 0.5)  # one echo a shot more, in one of two beams
+
     def test_half_of_the_echoes_missing(self):
         full = {"layer": [0, 0], "azimuth_rad": [0.01, 0.5]}
         self.assertEqual(distance.existence({"layer": [0], "azimuth_rad": [0.01]}, full, 1), (0.5, 0.0))

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
 
@@ -81,6 +83,44 @@ TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
     if (values[0] > 0.42 && values[0] < 0.81) world.references.push_back({"/scene/0/pose/position_m/0", 0.1, {}});
   };
   EXPECT_NEAR(scouted(gate).values[0], 0.615, 0.04);
+}
+
+// Of 0.01 to 1, searched in its logarithm, to 13 bits of that range: ln(100) / 8192 of the value.
+TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
+  const gap::FreeParameter parameter{"value", "", 0.01, 1.0, true, 0.1};
+  EXPECT_NEAR(gap::resolvedAt(parameter, 0.2), 0.2 * std::log(100.0) / 8192.0, 1e-7);
+}
+
+class CostlyForm : public Search {
+ protected:
+  /// The variants that are tried of a cause that moves the wall by its value, one of which takes long to fit.
+  [[nodiscard]] std::vector<std::string> tried() const {
+    gap::Hypothesis usual;
+    usual.name = "elsewhere";
+    usual.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
+    usual.apply = [](gap::World& world, const std::vector<double>& values) {
+      world.references.push_back({"/scene/0/pose/position_m/0", values[0], {}});
+    };
+    gap::Hypothesis costly = usual;
+    costly.variant = "costly";
+    costly.costly = true;
+    const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+    core::SilentProgress progress;
+    std::vector<std::string> variants;
+    for (const gap::Candidate& candidate : gap::rank(judge, {costly, usual}, {}, progress))
+      variants.push_back(candidate.hypothesis.variant);
+    return variants;
+  }
+};
+
+TEST_F(CostlyForm, IsTriedWhereTheUsualOneExplainsSomething) {
+  measure({}, {{"r8", 0.1}, {"r13", 0.1}, {"r19", 0.1}, {"r27", 0.1}, {"r36", 0.1}, {"r46", 0.1}});
+  EXPECT_THAT(tried(), testing::UnorderedElementsAre("", "costly"));
+}
+
+TEST_F(CostlyForm, IsNotTriedWhereTheUsualOneExplainsNothing) {
+  measure({});
+  EXPECT_THAT(tried(), testing::ElementsAre(""));
 }
 
 class Merit : public Search {
