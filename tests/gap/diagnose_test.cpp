@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -136,18 +135,6 @@ TEST(Diagnose, SaysUnknownWhereTheCauseIsTakenOutOfTheLibrary) {
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
   EXPECT_TRUE(diagnosis.present);
   EXPECT_TRUE(diagnosis.proposed_model.is_null());
-}
-
-// A detector that is too warm is as noisy as one with a wrong noise. So is one that foreign light blinds a little, in a
-// sector as wide as the scan; but that takes three numbers to say what one says.
-TEST(Diagnose, DoesNotCallACauseWithIdleNumbersIndistinguishable) {
-  const SmallWorld world;
-  const auto truth = SmallWorld::modelWith({{"thermal-noise", {{"temperature_degC", 36}}}});
-  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
-  std::vector<std::string> members = diagnosis.verdict.indistinguishable_from;
-  members.insert(members.end(), diagnosis.verdict.names.begin(), diagnosis.verdict.names.end());
-  EXPECT_THAT(members, testing::UnorderedElementsAre("thermal-noise", "/sensor/receiver/noise_w"))
-      << diagnosis.verdict.text;
 }
 
 TEST(Diagnose, IsTheSameForAnyNumberOfThreads) {

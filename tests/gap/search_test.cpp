@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "gap/candidates.h"
+#include "gap/decision.h"
 #include "gap/starts.h"
 #include "tests/gap/small_world.h"
 
@@ -91,36 +92,61 @@ TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
   EXPECT_NEAR(gap::resolvedAt(parameter, 0.2), 0.2 * std::log(100.0) / 8192.0, 1e-7);
 }
 
-class CostlyForm : public Search {
+/// Causes of which each moves the wall by its first number.
+class MovedWall : public Search {
  protected:
-  /// The variants that are tried of a cause that moves the wall by its value, one of which takes long to fit.
-  [[nodiscard]] std::vector<std::string> tried() const {
-    gap::Hypothesis usual;
-    usual.name = "elsewhere";
-    usual.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
-    usual.apply = [](gap::World& world, const std::vector<double>& values) {
+  void moveBy(double offset_m) {
+    std::map<std::string, double> everywhere;
+    for (const char* sample : {"r8", "r13", "r19", "r27", "r36", "r46"}) everywhere[sample] = offset_m;
+    measure({}, everywhere);
+  }
+  [[nodiscard]] static gap::Hypothesis cause(const std::string& name) {
+    gap::Hypothesis hypothesis;
+    hypothesis.name = name;
+    hypothesis.parameters = {{"offset", "m", -0.5, 0.5, false, 0.0}};
+    hypothesis.apply = [](gap::World& world, const std::vector<double>& values) {
       world.references.push_back({"/scene/0/pose/position_m/0", values[0], {}});
     };
-    gap::Hypothesis costly = usual;
+    return hypothesis;
+  }
+  [[nodiscard]] gap::Judge judge() const { return {*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)}; }
+  /// The variants that are tried of a cause, one of which takes long to fit.
+  [[nodiscard]] std::vector<std::string> tried() const {
+    gap::Hypothesis costly = cause("elsewhere");
     costly.variant = "costly";
     costly.costly = true;
-    const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
     core::SilentProgress progress;
     std::vector<std::string> variants;
-    for (const gap::Candidate& candidate : gap::rank(judge, {costly, usual}, {}, progress))
+    for (const gap::Candidate& candidate : gap::rank(judge(), {costly, cause("elsewhere")}, {}, progress))
       variants.push_back(candidate.hypothesis.variant);
     return variants;
   }
 };
 
-TEST_F(CostlyForm, IsTriedWhereTheUsualOneExplainsSomething) {
-  measure({}, {{"r8", 0.1}, {"r13", 0.1}, {"r19", 0.1}, {"r27", 0.1}, {"r36", 0.1}, {"r46", 0.1}});
+TEST_F(MovedWall, IsTriedInACostlyFormWhereTheUsualOneExplainsSomething) {
+  moveBy(0.1);
   EXPECT_THAT(tried(), testing::UnorderedElementsAre("", "costly"));
 }
 
-TEST_F(CostlyForm, IsNotTriedWhereTheUsualOneExplainsNothing) {
-  measure({});
+TEST_F(MovedWall, IsNotTriedInACostlyFormWhereTheUsualOneExplainsNothing) {
+  moveBy(0.0);
   EXPECT_THAT(tried(), testing::ElementsAre(""));
+}
+
+// Of two causes that say the same with one number neither can be preferred; one that needs a second number for it can
+// be left aside.
+TEST_F(MovedWall, IsNotToldFromATwinButFromACauseWithAnIdleNumber) {
+  moveBy(0.1);
+  gap::Hypothesis idle = cause("with an idle number");
+  idle.parameters.push_back({"idle", "", 1.0, 2.0, false, 1.5});
+  const gap::HeldOutGaps gaps(*replay_, split_.held_out.samples, 1);
+  core::SilentProgress progress;
+  const gap::Decision decision =
+      gap::decide(judge(), judge(), gaps, true, {}, {cause("elsewhere"), cause("twin"), idle}, progress);
+  ASSERT_TRUE(decision.winner.has_value());
+  std::vector<std::string> alike = decision.ties();
+  alike.push_back(decision.winner->hypothesis.name);
+  EXPECT_THAT(alike, testing::UnorderedElementsAre("elsewhere", "twin"));
 }
 
 class Merit : public Search {
