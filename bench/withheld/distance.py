@@ -56,14 +56,18 @@ def sample_gap(measurands, real, simulated, frames):
     return total + 100 * (missing + extra), parts
 
 
-def of_beams(table, column):
-    """{(layer, azimuth): values of its first echoes}"""
-    beams = {}
-    echoes = table.get("echo") or [1] * len(table["layer"])
-    for layer, azimuth, echo, value in zip(table["layer"], table["azimuth_rad"], echoes, table[column]):
+def beams_of(table):
+    """(layer, azimuth) of each detection"""
+    return [(layer, round(math.degrees(azimuth) / BEAM_DEG)) for layer, azimuth in zip(table["layer"], table["azimuth_rad"])]
+
+
+def first_echoes(table, column):
+    """{beam: values of its first echoes}"""
+    values = {}
+    for beam, echo, value in zip(beams_of(table), table.get("echo") or [1] * len(table["layer"]), table[column]):
         if echo == 1:
-            beams.setdefault((layer, round(math.degrees(azimuth) / BEAM_DEG)), []).append(value)
-    return beams
+            values.setdefault(beam, []).append(value)
+    return values
 
 
 def beam_by_beam(measurands, real, simulated, frames):
@@ -75,13 +79,13 @@ def beam_by_beam(measurands, real, simulated, frames):
     for m in measurands:
         if not real.get(m["column"]) or not simulated.get(m["column"]):
             continue
-        a, b = of_beams(real, m["column"]), of_beams(simulated, m["column"])
+        a, b = first_echoes(real, m["column"]), first_echoes(simulated, m["column"])
         both = [(a[beam], b[beam]) for beam in a.keys() & b.keys() if min(len(a[beam]), len(b[beam])) >= LEAST_ECHOES]
         off = [abs(statistics.fmean(x) - statistics.fmean(y)) + abs(statistics.pstdev(x) - statistics.pstdev(y)) for x, y in both]
         parts[m["name"]] = statistics.fmean(off) if off else 0.0
     cells = Counter()
     for table, sign in ((simulated, 1), (real, -1)):
-        for layer, azimuth in zip(table["layer"], table["azimuth_rad"]):
-            cells[layer, round(math.degrees(azimuth) / BEAM_DEG)] += sign / frames
+        for beam in beams_of(table):
+            cells[beam] += sign / frames
     parts["existence"] = statistics.fmean(map(abs, cells.values())) if cells else 0.0
     return parts

@@ -37,6 +37,7 @@ class Multipath final : public Effect {
   }
   [[nodiscard]] bool mirrors(const Material& material) const override {
     constexpr double kWorthTracing = 1e-3;
+    // Traced whatever the fraction is, even zero: worlds that differ in it alone share their rays (power_only).
     if (specular_fraction_ && material.brdf.model != BrdfModel::kGlass) return material.reflectivity > 0.0;
     return mirroredShare(material, 1.0) > kWorthTracing;
   }

@@ -21,6 +21,12 @@ class Search : public testing::Test {
     replay_.emplace(measured_, SmallWorld::modelWith({}));
     split_ = gap::splitOf(*replay_, 1);
   }
+  /// Nothing is missing but that the wall stands elsewhere in all samples.
+  void moveBy(double offset_m) {
+    std::map<std::string, double> everywhere;
+    for (const char* sample : {"r8", "r13", "r19", "r27", "r36", "r46"}) everywhere[sample] = offset_m;
+    measure({}, everywhere);
+  }
   [[nodiscard]] gap::Hypothesis effect(const std::string& name) const {
     const auto all = gap::hypothesesFor(*replay_, {name});
     return *std::find_if(all.begin(), all.end(), [&](const gap::Hypothesis& h) { return h.name == name; });
@@ -76,7 +82,7 @@ TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
 
 // Whatever lies between 0.42 and 0.81 is equally right, and an end of it the worst guess for other samples.
 TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
-  measure({}, {{"r8", 0.1}, {"r13", 0.1}, {"r19", 0.1}, {"r27", 0.1}, {"r36", 0.1}, {"r46", 0.1}});
+  moveBy(0.1);
   gap::Hypothesis gate;
   gate.name = "gate";
   gate.parameters = {{"value", "", 0.01, 1.0, false, 0.01}};
@@ -95,11 +101,6 @@ TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
 /// Causes of which each moves the wall by its first number.
 class MovedWall : public Search {
  protected:
-  void moveBy(double offset_m) {
-    std::map<std::string, double> everywhere;
-    for (const char* sample : {"r8", "r13", "r19", "r27", "r36", "r46"}) everywhere[sample] = offset_m;
-    measure({}, everywhere);
-  }
   [[nodiscard]] static gap::Hypothesis cause(const std::string& name) {
     gap::Hypothesis hypothesis;
     hypothesis.name = name;
