@@ -222,8 +222,8 @@ std::vector<std::size_t> CellLayout::cellsOf(const std::vector<model::Shot>& sho
   return cellsOf(valuesOf(shots));
 }
 
-std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,
-                                                     const std::vector<std::uint32_t>& beam_of) const {
+std::vector<CellLayout::Value> CellLayout::valuesOf(const core::Detections& detections,
+                                                    const std::vector<std::uint32_t>& beam_of) const {
   std::vector<Value> values;
   values.reserve(detections.size());
   for (std::size_t i = 0; i < detections.size(); ++i) {
@@ -231,7 +231,17 @@ std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& det
                       {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
                        detections.intensity.empty() ? 0.0 : detections.intensity[i]}});
   }
-  return statisticsOf(values);
+  return values;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,
+                                                     const std::vector<std::uint32_t>& beam_of) const {
+  return statisticsOf(valuesOf(detections, beam_of));
+}
+
+std::vector<std::size_t> CellLayout::cellsOf(const core::Detections& detections,
+                                             const std::vector<std::uint32_t>& beam_of) const {
+  return cellsOf(valuesOf(detections, beam_of));
 }
 
 std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections, const std::vector<model::Beam>& beams,

@@ -61,6 +61,8 @@ class CellLayout {
   /// The cell of each shot; outliers belong to the extra cell of their beam.
   [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<model::Shot>& shots) const;
   /// `beam_of[i]` is the beam of detection i.
+  [[nodiscard]] std::vector<std::size_t> cellsOf(const core::Detections& detections,
+                                                 const std::vector<std::uint32_t>& beam_of) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const core::Detections& detections,
                                                          const std::vector<std::uint32_t>& beam_of) const;
 
@@ -71,6 +73,8 @@ class CellLayout {
   };
   [[nodiscard]] std::size_t cellOf(std::uint32_t beam, double range_m) const;
   [[nodiscard]] std::vector<Value> valuesOf(const std::vector<model::Shot>& shots) const;
+  [[nodiscard]] std::vector<Value> valuesOf(const core::Detections& detections,
+                                            const std::vector<std::uint32_t>& beam_of) const;
   [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<Value>& values) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "gap/pairs.h"
@@ -21,14 +22,15 @@ constexpr double kTotalGain = 0.35;      // of the total gap, which counts what 
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
 constexpr double kMostBelief = 0.97;     // in anything
-constexpr double kProven = 4.5;          // standard deviations: one in a hundred, for sixty causes and 16 runs
+constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
-constexpr double kMostSamples = 0.75;    // share of the held-out samples that a small cause must bring nearer
+constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
 constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
 constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
-constexpr double kTie = 0.03;  // of what there is to explain: causes this close cannot be told apart
+constexpr std::size_t kLookedAt = 8;  // causes that may prove themselves where no gap is clear
+constexpr double kTie = 0.03;         // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
@@ -98,9 +100,10 @@ bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) 
   return roomForASecond(single, noise) && gain > 3.0 * noise && (closer || smaller);
 }
 
-/// A gain that no noise of the baseline makes, and nothing left that the cause itself would not leave.
-bool nothingElse(const Significance& significance) {
-  return significance.improvement_z > kProven && significance.rest_z < kNoRest;
+/// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
+/// leave.
+bool nothingElse(const Significance& significance, std::size_t causes) {
+  return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
 }
 
 /// Free numbers that are not where the cause is absent: an effect may have several mechanisms, of which one is at work.
@@ -135,15 +138,55 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
   return rivals;
 }
 
-/// Where little is to be explained, edges prove nothing: whether a beam still grazes a bright surface, a millimetre
-/// decides, or the number of rays, and a faint halo explains the few echoes that only one program has.
-Judge withoutEdges(Judge judge) {
-  judge.split.held_out.part.edges = false;
-  return judge;
+bool provesItself(const Significance& significance, std::size_t causes, double shrink) {
+  return nothingElse(significance, causes) && significance.without_best_z > kNotOneSample && shrink > kLeastShrink;
 }
 
-bool provesItself(const Significance& significance, double shrink) {
-  return nothingElse(significance) && significance.better_samples >= kMostSamples && shrink > kLeastShrink;
+/// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
+/// that the values show by themselves.
+std::vector<Candidate> worthALook(const Judge& quick, const std::vector<Candidate>& singles) {
+  const std::vector<double> improvements = roughImprovements(quick, singles);
+  std::vector<double> sorted = improvements;
+  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  const double least = sorted[std::min(kLookedAt, sorted.size()) - 1];
+  std::vector<Candidate> chosen;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    if (i < kLookedAt || improvements[i] >= least || singles[i].hypothesis.seen_in_values) chosen.push_back(singles[i]);
+  }
+  return chosen;
+}
+
+/// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
+void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                          const std::vector<WhereRow>& where, Decision& decision, const core::Progress& progress) {
+  decision.kind = VerdictKind::kNone;
+  std::vector<Candidate> proven;
+  std::map<Form, double> z_of;
+  double p_value = 1.0;
+  for (Candidate& candidate : worthALook(quick, decision.singles)) {
+    core::stopIfCancelled(progress);
+    const Significance significance = significanceOf(exact, candidate);
+    const double shrink = gaps.shrinkTo(gaps.totalIn(worldOf(exact.replay, candidate.hypothesis, candidate.values)));
+    const bool seen = candidate.hypothesis.seen_in_values && shrink > kLeastShrink;
+    if (!seen && !provesItself(significance, decision.singles.size(), shrink)) continue;
+    exact.hear(candidate);
+    z_of[formOf(candidate.hypothesis)] = significance.improvement_z;
+    proven.push_back(std::move(candidate));
+    p_value = std::min(p_value, significance.p_value);
+  }
+  if (proven.empty()) return;
+  decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
+  decision.singles = std::move(proven);
+  sortByMerit(decision.singles);
+  polish(exact, gaps, decision.singles, where, progress);
+  const Candidate& best = decision.singles.front();
+  decision.name(best);
+  for (const Candidate& other : decision.singles) {
+    if (other.hypothesis.name == best.hypothesis.name || decision.rivals.size() == kRivals) continue;
+    // Twice the logarithm of a likelihood ratio is the square of its z.
+    const double z = z_of.at(formOf(best.hypothesis)), z_other = z_of.at(formOf(other.hypothesis));
+    decision.rivals.push_back({other.hypothesis.name, std::sqrt(std::max(0.0, z * z - z_other * z_other))});
+  }
 }
 
 }  // namespace
@@ -209,9 +252,13 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
     return decision;
   }
+  if (!clear) {
+    nameWhatProvesItself(quick, exact, gaps, where, decision, progress);
+    return decision;
+  }
   const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
   const double enough = std::max(kWeakGap, kAccountsFor - 2.0 * noise);
-  if (clear && roomForASecond(leftBy(decision.singles.front()), noise)) {
+  if (roomForASecond(leftBy(decision.singles.front()), noise)) {
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
@@ -225,15 +272,10 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     }
   }
   const Candidate& best = decision.singles.front();
-  const Significance significance = significanceOf(clear ? exact : withoutEdges(exact), best);
-  decision.p_value = std::min(1.0, significance.p_value * static_cast<double>(decision.singles.size()));
-  const World world = worldOf(exact.replay, best.hypothesis, best.values);
-  if (!clear && !provesItself(significance, gaps.shrinkTo(gaps.totalIn(world)))) {
-    decision.kind = VerdictKind::kNone;
-    return decision;
-  }
-  const bool explains = exact.accountedFor(best) >= enough || (best.explained >= kWeakGap && nothingElse(significance));
-  if (!clear || explains) {
+  const bool explains =
+      exact.accountedFor(best) >= enough ||
+      (best.explained >= kWeakGap && nothingElse(significanceOf(exact, best), decision.singles.size()));
+  if (explains) {
     decision.name(best);
     decision.rivals = rivalsOf(exact, decision.singles);
   }

@@ -7,6 +7,7 @@
 #include "gap/decision.h"
 #include "gap/diagnosis.h"
 #include "gap/evidence_limits.h"
+#include "gap/frame_mode.h"
 #include "gap/how_far.h"
 #include "gap/pictures.h"
 #include "gap/wording.h"
@@ -17,19 +18,22 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kSignificance = 1e-3;    // of the gap being present at all
-constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
-constexpr std::size_t kQuickBeams = 360;  // of a sample, with which candidates are chosen
-constexpr std::size_t kMostBeams = 6000;  // of a sample, with which they are judged: more cost minutes and tell no more
-constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrink the pooled gap
-constexpr double kPairBelief = 0.85;      // of the belief in one cause: either of the two may be another one
-constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.3;       // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.85;     // belief that no cause of the library is at work
-constexpr double kNoneBelief = 0.6;       // that nothing is missing, where nothing is seen: weak causes are not
-constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
-constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
-constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
+constexpr double kSignificance = 1e-3;                         // of the gap being present at all
+constexpr double kClear = 5.0;                                 // standard deviations: a gap beyond doubt
+constexpr Detail kQuick{.most_beams = 360, .edge_rays = 23};   // with which candidates are chosen: half the time
+constexpr Detail kExact{.most_beams = 6000, .edge_rays = 45};  // with which they are judged: more cost minutes and
+                                                               // tell no more
+constexpr double kNearlyAllCells = 0.95;                       // explained: the cause need not shrink the pooled gap
+constexpr double kPairBelief = 0.85;     // of the belief in one cause: either of the two may be another one
+constexpr double kWeakBelief = 0.75;     // of the belief, if no whole sample could be held out
+constexpr double kLeastNamed = 0.3;      // of a cause that is named because nothing else is left: it explains little
+constexpr double kMostUnknown = 0.85;    // belief that no cause of the library is at work
+constexpr double kNoneBelief = 0.6;      // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kMostOfTheGap = 0.5;    // gone without what moves whole frames: nothing else explains the gap
+constexpr double kMuchClearer = 3.0;     // so much more must one part of the samples show than the other
+constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
+constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
+constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -46,7 +50,7 @@ Cause toCause(const Candidate& candidate) {
   cause.sensors = candidate.hypothesis.sensors;
   cause.percollect = candidate.hypothesis.percollect;
   cause.decomposition_block = candidate.hypothesis.decomposition_block;
-  cause.explained = std::min(1.0, candidate.explained);
+  cause.explained = std::clamp(candidate.explained, 0.0, 1.0);
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
     FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt, Interval{p.low, p.high}, std::nullopt};
@@ -92,6 +96,18 @@ After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, D
   return after;
 }
 
+/// What moves whole frames is no cause's doing: where it is most of the gap, none is named, whatever scatters as much;
+/// nor is one that accounts for so little that it was named only because nothing else seemed to be left.
+void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Decision& decision) {
+  if (!decision.winner || !frames) return;
+  const bool convincing = beliefIn(judge.accountedFor(*decision.winner)) >= 0.5;
+  if (convincing && frames->share_of_gap < kMostOfTheGap) return;
+  decision.winner.reset();
+  decision.rivals.clear();
+  decision.kind = VerdictKind::kUnknown;
+  decision.beyond_library = true;
+}
+
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
 void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, Diagnosis& diagnosis,
                 const core::Progress& progress) {
@@ -101,7 +117,8 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const double least = judge.split.weak || pooled ? kWeakBelief : 1.0;
   const double named = decision.winner ? kLeastNamed : 0.0;
   const auto beliefOf = [&](const Candidate& candidate) {
-    return least * std::max(named, beliefIn(judge.accountedFor(candidate)));
+    const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
+    return least * std::max(named, beliefIn(accounted_for));
   };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
@@ -116,11 +133,11 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   for (std::size_t i = 0; i < decision.singles.size() && diagnosis.causes.size() < kListed; ++i) {
     const Candidate& candidate = decision.singles[i];
     if (std::find(listed.begin(), listed.end(), candidate.hypothesis.name) != listed.end()) continue;
-    if (candidate.explained < 0.02) break;
+    const bool is_winner = decision.winner && !decision.pair() && i == 0;
+    if (candidate.explained < 0.02 && !is_winner) break;
     listed.push_back(candidate.hypothesis.name);
     diagnosis.causes.push_back(toCause(candidate));
     diagnosis.causes.back().confidence = decision.pair() ? 0.05 * confidences[i] : confidences[i];
-    const bool is_winner = decision.winner && !decision.pair() && i == 0;
     if (is_winner) continue;
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
     diagnosis.causes.back().shrink = gaps.with(world, progress).shrink;
@@ -216,6 +233,14 @@ Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without)
   return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
 }
 
+/// Where little is to be explained, edges prove nothing: whether a beam still grazes a bright surface, a millimetre
+/// decides, or the number of rays, and a faint halo explains the few echoes that only one program has.
+Judge withoutEdges(Judge judge) {
+  judge.split.held_out.part.edges = false;
+  judge.yardstick = yardstickOf(judge.replay, judge.split.held_out);
+  return judge;
+}
+
 /// Maps, curves, and what each cause would be taken for.
 void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Decision& decision,
                   Diagnosis& diagnosis) {
@@ -232,7 +257,7 @@ VerdictEvidence evidenceOf(const Judge& judge, const Decision& decision) {
   VerdictEvidence evidence{.gap_z = judge.yardstick.z()};
   if (decision.singles.empty()) return evidence;
   const Candidate& best = decision.winner ? *decision.winner : decision.singles.front();
-  evidence.explained = best.explained;
+  evidence.explained = std::clamp(best.explained, -kMostExplained, kMostExplained);
   evidence.total_left = best.total_left;
   const auto& rivals = decision.pair() ? decision.pairs : decision.singles;
   const auto next = std::find_if(rivals.begin(), rivals.end(), [&](const Candidate& candidate) {
@@ -263,7 +288,8 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
+    const bool none_could = decision.singles.empty() || decision.beyond_library;
+    const double named = none_could ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
     verdict.confidence = std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
@@ -298,8 +324,8 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   model.seed = seed;  // under it a foreign model is what it reported
   const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
   progress.report(0.0, "tracing the samples");
-  const Replay replay(experiment, model, kMostBeams, foreign);
-  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuickBeams, foreign);
+  const Replay replay(experiment, model, kExact, foreign);
+  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuick, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
   Judge exact = judgeOf(replay, seed, options.without);
@@ -315,7 +341,10 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   const bool material = where.largest_steps >= kMaterialSteps || gaps.material();
   const bool clear = diagnosis.p_value < kSignificance && material;
   const auto hypotheses = options.without.applied(hypothesesFor(quick.replay, options.library));
-  Decision decision = decide(quick, exact, gaps, clear, where.rows, hypotheses, progress);
+  Decision decision = decide(clear ? quick : withoutEdges(quick), clear ? exact : withoutEdges(exact), gaps, clear,
+                             where.rows, hypotheses, progress);
+  const std::optional<FrameMode> frames = frameModeOf(exact);
+  heedFrames(exact, frames, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
@@ -335,6 +364,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
         restOf(replay, exact.split, where, added ? whereIn(replay, winnersWorld(replay, decision), seed) : where);
   }
   diagnosis.notes = notesOn(replay);
+  if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), sentenceOf(*frames));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);
   heedLimits(diagnosis);

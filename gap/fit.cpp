@@ -355,6 +355,13 @@ double discrepancyOf(const Replay& replay, const World& world, const Evidence& e
   return total(replay, world, comparisons, evidence.part);
 }
 
+double discrepancyTo(const Replay& replay, const World& world, const Evidence& evidence,
+                     std::span<const std::vector<CellStatistics>> measured) {
+  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i];
+  return total(replay, world, comparisons, evidence.part);
+}
+
 double discrepancyIn(const Replay& replay, const World& truth, const World& world, const Evidence& evidence,
                      std::uint64_t seed) {
   std::vector<Comparison> measured;

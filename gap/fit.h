@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/progress.h"
@@ -22,6 +23,10 @@ struct Evidence {
 
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
+
+/// The same to other measurements of these samples, one each.
+[[nodiscard]] double discrepancyTo(const Replay& replay, const World& world, const Evidence& evidence,
+                                   std::span<const std::vector<CellStatistics>> measured);
 
 /// Discrepancy of a world if another one were the truth: to a measurement simulated in `truth` under the noise of
 /// another seed, the reference somewhere within its tolerance.

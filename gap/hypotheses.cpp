@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "gap/discrepancy.h"
 #include "gap/layer_gains.h"
+#include "gap/range_comb.h"
 #include "gap/settle.h"
 
 namespace gap {
@@ -62,6 +64,17 @@ void orderSector(Hypothesis& hypothesis) {
     if (ordered[from] > ordered[to]) std::swap(ordered[from], ordered[to]);
     inner(world, ordered);
   };
+}
+
+/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
+void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
+  FreeParameter& step = hypothesis.parameters.front();
+  const std::optional<Comb> comb = step.name == "range_step_m" ? rangeComb(replay) : std::nullopt;
+  if (!comb || comb->step > step.high) return;
+  step.start = comb->step;
+  step.low = comb->step - comb->uncertain;
+  step.high = comb->step + comb->uncertain;
+  hypothesis.seen_in_values = true;
 }
 
 /// A cloud may hang anywhere in front of the sensor, at its height.
@@ -155,6 +168,7 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
       list.push_back(effectHypothesis(info, info.fitted, ""));
       orderSector(list.back());
       if (info.name == "exhaust-cloud") placeCloud(list.back());
+      if (info.name == "quantisation") narrowToComb(replay, list.back());
     }
     for (const model::FittedForm& form : info.other_forms) {
       if (!hasSubject(replay, entry, form.parameters)) continue;

@@ -13,7 +13,6 @@ namespace gap {
 namespace {
 
 constexpr int kFewestRays = 9;                 // per direction, whatever the model has
-constexpr int kEdgeRays = 45;                  // denser, sheared grid of partly hit beams: right to 1/45² of the power
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 
@@ -88,7 +87,6 @@ std::size_t bytesOf(const model::BeamHits& hits) {
          hits.second.size() * sizeof(model::SecondHit) + hits.rays.size() * kOfRay;
 }
 
-/// The beams whose sub-rays do not all meet one object.
 /// The corners of the beam, without power: a surface that ends between them and the outermost rays of an even grid
 /// would seem to catch the whole beam.
 void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::AngularSize& divergence) {
@@ -96,6 +94,7 @@ void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::A
   for (std::size_t i = 0; i < halfway.size(); ++i) rays.add(2.0 * halfway.left_rad[i], 2.0 * halfway.up_rad[i], 0.0);
 }
 
+/// The beams whose sub-rays do not all meet one object.
 std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
   std::vector<std::uint32_t> partly;
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
@@ -110,9 +109,9 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 }  // namespace
 
-Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, std::size_t most_beams,
+Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail,
                std::span<const model::ExternalRun> foreign)
-    : experiment_(experiment), foreign_(foreign) {
+    : experiment_(experiment), detail_(detail), foreign_(foreign) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
@@ -126,7 +125,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.frames = experiment.samples[i].frames;
     requireFrames(replay);
     if (!foreign_.empty()) replay.foreign = foreignFrames(foreign[i], replay, baseline);
-    if (replay.measured.hasDirections()) thin(replay, most_beams);
+    if (replay.measured.hasDirections()) thin(replay, detail.most_beams);
     if (!foreign_.empty() && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
@@ -203,9 +202,10 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const auto edges = partlyHit(all);
   std::vector<model::Beam> edge_beams;
   for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
-  const model::BeamHits dense = model::traceWith(
-      chain, scene, std::move(edge_beams),
-      chain.subRays(std::max(kEdgeRays, horizontal), std::max(kEdgeRays, vertical), model::Grid::kSheared));
+  const model::BeamHits dense =
+      model::traceWith(chain, scene, std::move(edge_beams),
+                       chain.subRays(std::max(detail_.edge_rays, horizontal), std::max(detail_.edge_rays, vertical),
+                                     model::Grid::kSheared));
   traced->hits = joined(all, edges, dense, range_bin_m, left_bin_rad);
   return traced;
 }

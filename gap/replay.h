@@ -45,6 +45,14 @@ struct ReplaySample {
   ForeignFrames foreign;  ///< what the model under test reported, if it is not the built-in lidar
 };
 
+/// How closely a replay looks.
+struct Detail {
+  /// Of every sample at most about so many take part, in pairs of neighbouring columns all over the scan.
+  std::size_t most_beams = std::numeric_limits<std::size_t>::max();
+  /// Per direction, of the denser, sheared grid of partly hit beams: their power is right to one over its square.
+  int edge_rays = 45;
+};
+
 /// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
 /// beams are traced more densely than the model's own grid, so that they do not differ by the grid alone, and hits on
 /// one object are joined. Thread-safe. References, model and experiment must outlive it.
@@ -54,14 +62,12 @@ struct ReplaySample {
 /// difference that it makes in the proxy (transport.h).
 class Replay {
  public:
-  /// Of every sample at most about `most_beams` beams take part, in pairs of neighbouring columns all over the scan.
-  Replay(const model::Experiment& experiment, const model::LidarModel& baseline,
-         std::size_t most_beams = std::numeric_limits<std::size_t>::max(),
+  Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail = {},
          std::span<const model::ExternalRun> foreign = {});
 
   /// The same replay with fewer beams.
   [[nodiscard]] Replay thinner(std::size_t most_beams) const {
-    return Replay(experiment_, baseline_.model, most_beams, foreign_);
+    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays}, foreign_);
   }
 
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
@@ -101,6 +107,7 @@ class Replay {
   [[nodiscard]] Shots proxyShots(std::size_t sample, int frames, std::uint64_t seed) const;
 
   const model::Experiment& experiment_;
+  Detail detail_;
   World baseline_;
   std::vector<ReplaySample> samples_;
   std::vector<Channel> channels_;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -17,19 +15,6 @@ namespace {
 constexpr std::size_t kMostStrata = 4;                           // of azimuth, and of range
 constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
 constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
-
-/// Smallest distance of two different measured ranges: the step of a counter shows in its values.
-double smallestRangeStep_m(const Replay& replay) {
-  double step = std::numeric_limits<double>::infinity();
-  for (const ReplaySample& sample : replay.samples()) {
-    std::vector<double> values = sample.measured.range_m;
-    std::sort(values.begin(), values.end());
-    for (std::size_t i = 1; i < values.size(); ++i) {
-      if (values[i] - values[i - 1] > 1e-6) step = std::min(step, values[i] - values[i - 1]);
-    }
-  }
-  return step;
-}
 
 /// Where the echoes are that no surface makes, if they lie together: medians, and the width of an even distribution
 /// with their median deviation.
@@ -149,8 +134,6 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   const double half_deg = azimuthStep_deg(replay) / 2.0;
   const auto azimuths = strataOf(where, "azimuth_deg"), ranges = strataOf(where, "range_m");
   Starts starts(hypothesis);
-  if (hypothesis.parameters.size() == 1 && starts.has("range_step_m"))
-    starts.add({{"range_step_m", smallestRangeStep_m(replay)}});
   if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) {
     for (const Stratum& a : azimuths)
       starts.add({{"azimuth_from_deg", a.low - half_deg}, {"azimuth_to_deg", a.high + half_deg}});

@@ -41,6 +41,18 @@ TEST(Diagnose, NamesFogAndRecoversItsVisibility) {
   EXPECT_TRUE(diagnosis.proposed_model["effects"].contains("atmospheric-attenuation"));
 }
 
+// The noise (15 mm) smears the steps over the frames: means of single beams hardly show them, the values do.
+TEST(Diagnose, NamesACounterWhoseStepsOnlyTheValuesShow) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"quantisation", {{"range_step_m", 0.0437}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"quantisation"});
+  ASSERT_EQ(diagnosis.causes.front().parameters.size(), 1U);
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.0437, 2e-5);  // half a turn at 47 m is 2e-5 m
+  EXPECT_GT(diagnosis.shrink.fraction, 0.05);  // the noise of the pooled data is the larger part
+}
+
 TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith(

@@ -39,7 +39,7 @@ TEST(Replay, ASurfaceThatEndsBeyondTheOutermostRayOfABeamLosesThePowerThatPasses
   model::Experiment experiment = world.measuredBy(model, 0.4);
   const double edge_rad = 5.0 * core::kRadPerDeg + 0.95e-3;
   experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 8.0 * std::tan(edge_rad);
-  const gap::Replay replay(experiment, model, 1000);
+  const gap::Replay replay(experiment, model, {.most_beams = 1000});
   const double expected = 0.975 * std::pow(std::cos(5.0 * core::kRadPerDeg) / std::cos(4.0 * core::kRadPerDeg), 3.0);
   EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 4.0), expected, 0.004);
 }

@@ -38,7 +38,7 @@ class MadeUpResiduals : public ::testing::Test {
   SmallWorld world_;
   model::LidarModel model_ = SmallWorld::modelWith({});
   model::Experiment experiment_ = world_.measuredBy(model_, 0.4);
-  gap::Replay replay_{experiment_, model_, 1000};
+  gap::Replay replay_{experiment_, model_, {.most_beams = 1000}};
 };
 
 TEST_F(MadeUpResiduals, ALawOfTheDistanceIsFoundWithItsNumbersAndAFormula) {

@@ -83,7 +83,7 @@ TEST_F(Transport, OfTheProxyItselfIsTheChangedWorldItself) {
   std::vector<model::ExternalRun> runs;
   for (std::size_t s = 0; s < replay_.samples().size(); ++s)
     runs.push_back({replay_.detections(replay_.baseline(), s, replay_.seed()), replay_.samples()[s].frames});
-  const gap::Replay foreign(experiment_, model_, std::numeric_limits<std::size_t>::max(), runs);
+  const gap::Replay foreign(experiment_, model_, {}, runs);
   const int frames = replay_.samples()[near].frames;
   const auto direct = replay_.simulate(fog, near, frames, replay_.seed());
   const auto by_proxy = foreign.simulate(fog, near, frames, replay_.seed());

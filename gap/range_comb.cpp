@@ -1,0 +1,69 @@
+#include "gap/range_comb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace gap {
+
+namespace {
+
+constexpr double kPlacesPerTurn = 8.0;  // of the farthest value's phase: the peak is one turn wide
+constexpr double kMostPlaces = 40000.0;
+constexpr double kAligned = 0.9;  // mean cosine: a rounding of a quarter of the step to either side leaves that much
+constexpr double kCoarser = 3.0;  // times the rounding: finer steps are the rounding itself
+constexpr std::size_t kFewest = 10;
+constexpr std::size_t kMostValues = 500;
+
+/// How near the values are to multiples of 1/frequency: 1 if all are.
+double alignment(const std::vector<double>& values, double frequency) {
+  double sum = 0.0;
+  for (const double value : values) sum += std::cos(2.0 * std::numbers::pi * frequency * value);
+  return sum / static_cast<double>(values.size());
+}
+
+std::vector<double> thinned(const std::vector<double>& values) {
+  std::vector<double> some;
+  const std::size_t stride = (values.size() + kMostValues - 1) / kMostValues;
+  for (std::size_t i = 0; i < values.size(); i += stride) some.push_back(values[i]);
+  return some;
+}
+
+}  // namespace
+
+std::optional<Comb> combOf(std::vector<double> values, double rounding) {
+  constexpr double kSame = 1e-6;
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end(), [](double a, double b) { return b - a < kSame; }),
+               values.end());
+  if (values.size() < kFewest) return std::nullopt;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i) smallest = std::min(smallest, values[i] - values[i - 1]);
+  if (smallest < kCoarser * rounding) return std::nullopt;
+
+  const std::vector<double> some = thinned(values);
+  const double lowest = 1.0 / (smallest + 2.0 * rounding), highest = 1.0 / (smallest - 2.0 * rounding);
+  const double turns = kPlacesPerTurn * values.back(), places = std::ceil((highest - lowest) * turns);
+  if (places > kMostPlaces) return std::nullopt;
+  double best = lowest, most = alignment(some, lowest);
+  for (double place = 1.0; place <= places; place += 1.0) {
+    const double frequency = lowest + place / turns, aligned = alignment(some, frequency);
+    if (aligned <= most) continue;
+    most = aligned;
+    best = frequency;
+  }
+  if (most < kAligned) return std::nullopt;
+  const double step = 1.0 / best;
+  return Comb{step, 0.5 * step * step / values.back()};
+}
+
+std::optional<Comb> rangeComb(const Replay& replay) {
+  std::set<double> ranges;
+  for (const ReplaySample& sample : replay.samples())
+    ranges.insert(sample.measured.range_m.begin(), sample.measured.range_m.end());
+  return combOf({ranges.begin(), ranges.end()}, 0.5 * replay.resolution(kRange));
+}
+
+}  // namespace gap
