@@ -17,33 +17,48 @@ namespace {
 ///
 /// and with range at the centre of the crossings r' = r + c/4 · τ ln(P/P_sat); peak and leading edge stay. (What the
 /// receiver cannot see meanwhile is dead-time's.) The recovery is that of a first-order stage.
-/// Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform receivers).
+/// An amplifier may bend long before it clips. With a knee of sharpness n (Rapp 1991, n = 2p)
+///
+///   P_out = P / (1 + (P/P_sat)^n)^(1/n),
+///
+/// which is min(P, P_sat) for n → ∞.
+/// Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform receivers); Rapp
+/// 1991, Proc. 2nd European Conf. on Satellite Communications, ESA SP-332, pp. 179-184 (the knee).
 class Saturation final : public Effect {
  public:
   explicit Saturation(const EffectParameters& parameters)
-      : saturation_w_(parameters.number("saturation_w")), recovery_ns_(parameters.numberOr("recovery_ns", 0.0)) {}
+      : saturation_w_(parameters.number("saturation_w")),
+        recovery_ns_(parameters.numberOr("recovery_ns", 0.0)),
+        knee_sharpness_(parameters.number("knee_sharpness")) {}
 
   void prepare(ChainSettings& settings, const Environment&) override {
     if (saturation_w_) settings.receiver.saturation_w = saturation_w_;
   }
   [[nodiscard]] bool changesEchoes() const override { return true; }
   [[nodiscard]] double processesAbove_w(const Receiver& receiver) const override {
-    return receiver.saturation_w.value_or(std::numeric_limits<double>::infinity());
+    constexpr double kHardlyBent = 1e-4;  // of the power, below which it is left as it is
+    const double most_w = receiver.saturation_w.value_or(std::numeric_limits<double>::infinity());
+    return knee_sharpness_ ? most_w * std::pow(*knee_sharpness_ * kHardlyBent, 1.0 / *knee_sharpness_) : most_w;
   }
   void process(Echo& echo, const Receiver& receiver, const ChainSettings& settings) const override {
     if (!receiver.saturation_w) return;
-    if (echo.peak_w <= *receiver.saturation_w) return;
-    if (recovery_ns_ > 0.0) {
-      const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(echo.peak_w / *receiver.saturation_w);
+    const double most_w = *receiver.saturation_w, ratio = echo.peak_w / most_w;
+    if (ratio > 1.0 && recovery_ns_ > 0.0) {
+      const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(ratio);
       echo.epw_m += later_m;
       if (settings.detection.range_mode == RangeMode::kCentre) echo.range_m += later_m / 4.0;
     }
-    echo.peak_w = *receiver.saturation_w;
+    echo.peak_w = knee_sharpness_ ? bent_w(echo.peak_w, most_w) : std::min(echo.peak_w, most_w);
   }
 
  private:
+  [[nodiscard]] double bent_w(double power_w, double most_w) const {
+    const double n = *knee_sharpness_, least = std::min(power_w, most_w), other = std::max(power_w, most_w);
+    return least / std::pow(1.0 + std::pow(least / other, n), 1.0 / n);  // of the ratio that cannot overflow
+  }
   std::optional<double> saturation_w_;
   double recovery_ns_;
+  std::optional<double> knee_sharpness_;
 };
 
 }  // namespace
@@ -55,10 +70,13 @@ EffectEntry saturation() {
                    .percollect = {"142"},
                    .parameters = {{"saturation_w", "W", 1e-10, 1e-3, std::nullopt,
                                    "Power at which the output clips; without it the profile's", true, 1e-6},
-                                  {"recovery_ns", "ns", 0.0, 50.0, 0.0, "Time constant of the recovery", false, 5.0}},
+                                  {"recovery_ns", "ns", 0.0, 50.0, 0.0, "Time constant of the recovery", false, 5.0},
+                                  {"knee_sharpness", "", 1.0, 50.0, std::nullopt,
+                                   "How suddenly the output bends; without it, it clips", true, 4.0}},
                    .fitted = {"saturation_w"},
-                   .other_forms = {{"with recovery", {"saturation_w", "recovery_ns"}}},
-                   .source = "Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001"},
+                   .other_forms = {{"with recovery", {"saturation_w", "recovery_ns"}},
+                                   {"soft knee", {"saturation_w", "knee_sharpness"}}},
+                   .source = "Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001; Rapp 1991, ESA SP-332, 179-184"},
           .make = makeFrom<Saturation>};
 }
 

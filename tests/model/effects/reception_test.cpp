@@ -107,6 +107,17 @@ TEST(Saturation, CapsTheIntensityAndLeavesTheCrossings) {
   EXPECT_GT(open.intensity.at(0), 100.0);
 }
 
+// P (1 + (P/P_sat)^n)^(-1/n), below the saturation as well as above it.
+TEST(Saturation, ASoftKneeBendsBeforeItClips) {
+  for (const double share : {0.5, 1.0, 20.0}) {
+    const double power_w = lab::radarEquation(5), most_w = power_w / share;
+    const auto bent = lab::fire(lab::boardWith(5, "saturation", {{"saturation_w", most_w}, {"knee_sharpness", 3.0}}));
+    const double expected_w = power_w / std::cbrt(1.0 + share * share * share);
+    EXPECT_NEAR(1e-9 * bent.intensity.at(0), expected_w, 1e-6 * power_w);
+    EXPECT_EQ(bent.epw_m, lab::fire(lab::boardWith(5)).epw_m);
+  }
+}
+
 // The profile's own limit counts only with the effect on (formats.md section 3, step 4).
 TEST(Saturation, OfTheProfileCountsWithTheEffectOnly) {
   lab::Case setup = lab::boardWith(5);
