@@ -138,8 +138,8 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
   return rivals;
 }
 
-bool provesItself(const Significance& significance, std::size_t causes, double shrink) {
-  return nothingElse(significance, causes) && significance.without_best_z > kNotOneSample && shrink > kLeastShrink;
+bool provesItself(const Significance& significance, std::size_t causes) {
+  return nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
 }
 
 /// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
@@ -163,22 +163,26 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   std::vector<Candidate> proven;
   std::map<Form, double> z_of;
   double p_value = 1.0;
+  const auto shrinks = [&](const Candidate& candidate) {
+    const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
+    return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
+  };
   for (Candidate& candidate : worthALook(quick, decision.singles)) {
     core::stopIfCancelled(progress);
     const Significance significance = significanceOf(exact, candidate);
-    const double shrink = gaps.shrinkTo(gaps.totalIn(worldOf(exact.replay, candidate.hypothesis, candidate.values)));
-    const bool seen = candidate.hypothesis.seen_in_values && shrink > kLeastShrink;
-    if (!seen && !provesItself(significance, decision.singles.size(), shrink)) continue;
+    const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
+    if (!shown || !shrinks(candidate)) continue;
     exact.hear(candidate);
     z_of[formOf(candidate.hypothesis)] = significance.improvement_z;
     proven.push_back(std::move(candidate));
     p_value = std::min(p_value, significance.p_value);
   }
+  sortByMerit(proven);
+  polish(exact, gaps, proven, where, progress);
+  std::erase_if(proven, [&](const Candidate& candidate) { return !shrinks(candidate); });  // better values, less gain
   if (proven.empty()) return;
   decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
   decision.singles = std::move(proven);
-  sortByMerit(decision.singles);
-  polish(exact, gaps, decision.singles, where, progress);
   const Candidate& best = decision.singles.front();
   decision.name(best);
   for (const Candidate& other : decision.singles) {
