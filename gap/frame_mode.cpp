@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <map>
 
-
 namespace gap {
 
 namespace {
