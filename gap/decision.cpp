@@ -29,7 +29,7 @@ constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's c
 constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
 constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
-constexpr std::size_t kLookedAt = 8;  // causes that may prove themselves where no gap is clear
+constexpr std::size_t kLookedAt = 8;  // of best merit, and as many that gain most: they may prove themselves
 constexpr double kTie = 0.03;         // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {

@@ -18,22 +18,24 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kSignificance = 1e-3;                         // of the gap being present at all
-constexpr double kClear = 5.0;                                 // standard deviations: a gap beyond doubt
-constexpr Detail kQuick{.most_beams = 360, .edge_rays = 23};   // with which candidates are chosen: half the time
-constexpr Detail kExact{.most_beams = 6000, .edge_rays = 45};  // with which they are judged: more cost minutes and
-                                                               // tell no more
-constexpr double kNearlyAllCells = 0.95;                       // explained: the cause need not shrink the pooled gap
-constexpr double kPairBelief = 0.85;     // of the belief in one cause: either of the two may be another one
-constexpr double kWeakBelief = 0.75;     // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.3;      // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.85;    // belief that no cause of the library is at work
-constexpr double kNoneBelief = 0.5;      // that nothing is missing, where nothing is seen: weak causes are not
-constexpr double kMostOfTheGap = 0.5;    // gone without what moves whole frames: nothing else explains the gap
-constexpr double kMuchClearer = 3.0;     // so much more must one part of the samples show than the other
-constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
-constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
-constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
+constexpr double kSignificance = 1e-3;    // of the gap being present at all
+constexpr double kClear = 5.0;            // standard deviations: a gap beyond doubt
+constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrink the pooled gap
+constexpr double kPairBelief = 0.85;      // of the belief in one cause: either of the two may be another one
+constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample could be held out
+constexpr double kLeastNamed = 0.3;       // of a cause that is named because nothing else is left: it explains little
+constexpr double kMostUnknown = 0.85;     // belief that no cause of the library is at work
+constexpr double kNoneBelief = 0.5;       // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kMostOfTheGap = 0.5;     // gone without what moves whole frames: nothing else explains the gap
+constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
+constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
+constexpr double kMostExplained = 10.0;   // said of a share: where there is next to nothing to explain, it says nothing
+constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
+
+/// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
+/// more.
+constexpr Detail kQuick{.most_beams = 360, .edge_rays = 23};
+constexpr Detail kExact{.most_beams = 6000, .edge_rays = 45};
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -278,6 +280,7 @@ double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
+  verdict.frames_move = decision.beyond_library;
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();

@@ -61,9 +61,12 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
 
 std::optional<Comb> rangeComb(const Replay& replay) {
   std::set<double> ranges;
-  for (const ReplaySample& sample : replay.samples())
+  double step_m = replay.resolution(kRange);
+  for (const ReplaySample& sample : replay.samples()) {
     ranges.insert(sample.measured.range_m.begin(), sample.measured.range_m.end());
-  return combOf({ranges.begin(), ranges.end()}, 0.5 * replay.resolution(kRange));
+    step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
+  }
+  return combOf({ranges.begin(), ranges.end()}, 0.5 * step_m);
 }
 
 }  // namespace gap

@@ -19,7 +19,7 @@ struct Comb {
 /// the rounding, or reach too many steps far for it to be told. `values` need not be in order.
 [[nodiscard]] std::optional<Comb> combOf(std::vector<double> values, double rounding);
 
-/// The comb of all measured ranges. [m]
+/// The comb of all measured ranges, if it is coarser than the steps of the sensors' own profiles. [m]
 [[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay);
 
 }  // namespace gap

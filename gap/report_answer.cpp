@@ -129,6 +129,10 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
                      "need their own experiment.")};
   }
   if (kind == VerdictKind::kUnknown) {
+    if (diagnosis.verdict.frames_move)
+      items.push_back(
+          report::text("Look for what moves, drifts or alternates between frames: a mirror with several "
+                       "facets, a warm-up, a vibration, frames of several set-ups in one file."));
     items.push_back(
         report::text("Look where they differ (next section): it tells in which part of the sensor or scene to "
                      "search."));
@@ -187,11 +191,12 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
     facts.push_back({"How well they agree", report::text(agreementText(diagnosis))});
   if (diagnosis.verdict.kind == VerdictKind::kUnknown && !diagnosis.causes.empty()) {
     const Cause& nearest = diagnosis.causes.front();
+    const char* why_not =
+        diagnosis.verdict.frames_move ? "but it does not act on whole frames" : "a right one would explain nearly all";
     facts.push_back(
-        {"The nearest cause",
-         report::text(fmt::format("{} would explain {} of what there is to explain; a right one would "
-                                  "explain nearly all.",
-                                  causeTitle(diagnosis, nearest.name), percent(std::max(0.0, nearest.explained))))});
+        {"The nearest cause", report::text(fmt::format("{} would explain {} of what there is to explain; {}.",
+                                                       causeTitle(diagnosis, nearest.name),
+                                                       percent(std::max(0.0, nearest.explained)), why_not))});
   }
   if (diagnosis.present && !diagnosis.where.empty())
     facts.push_back(

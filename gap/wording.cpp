@@ -217,6 +217,12 @@ std::string findingSentence(const Diagnosis& diagnosis) {
       return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
                          ties);
     case VerdictKind::kUnknown:
+      if (diagnosis.verdict.frames_move) {
+        return fmt::format(
+            "They differ from frame to frame {}: all detections of a frame deviate together, which no cause that was "
+            "tried does.",
+            sure);
+      }
       if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
       if (diagnosis.causes.front().shrink.fraction <= 0.0) {
         return fmt::format(
@@ -255,6 +261,10 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
     case VerdictKind::kReference:
       return fmt::format("The sensor model is not to blame: the reference data are wrong, namely the {}.", causes);
     case VerdictKind::kUnknown:
+      if (diagnosis.verdict.frames_move) {
+        return "Measurement and simulation differ from frame to frame: all detections of a frame deviate together, "
+               "which none of the causes that were tried does.";
+      }
       return "Measurement and simulation differ, and none of the causes that were tried explains it.";
   }
   return "";

@@ -56,6 +56,7 @@ TEST_F(Frames, ThatAlternateAreNoNoise) {
   core::SilentProgress progress;
   const gap::Diagnosis diagnosis = gap::diagnose(alternating(0.03), model_, {}, progress);
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
+  EXPECT_THAT(diagnosis.verdict.text, testing::StartsWith("They differ from frame to frame"));
   EXPECT_THAT(diagnosis.notes, testing::Contains(testing::HasSubstr("All detections of a frame deviate together")));
 }
 
