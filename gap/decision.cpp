@@ -30,6 +30,7 @@ constexpr double kApart = 1.5;           // standard deviations of the paired di
 constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
 constexpr std::size_t kRivals = 5;
 constexpr std::size_t kLookedAt = 8;  // of best merit, and as many that gain most: they may prove themselves
+constexpr double kWorthALook = 1.0;   // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kTie = 0.03;         // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
@@ -151,7 +152,8 @@ std::vector<Candidate> worthALook(const Judge& quick, const std::vector<Candidat
   const double least = sorted[std::min(kLookedAt, sorted.size()) - 1];
   std::vector<Candidate> chosen;
   for (std::size_t i = 0; i < singles.size(); ++i) {
-    if (i < kLookedAt || improvements[i] >= least || singles[i].hypothesis.seen_in_values) chosen.push_back(singles[i]);
+    const bool leads = i < kLookedAt || improvements[i] >= least;
+    if ((leads && improvements[i] > kWorthALook) || singles[i].hypothesis.seen_in_values) chosen.push_back(singles[i]);
   }
   return chosen;
 }
