@@ -105,6 +105,11 @@ const char* nameOf(Channel channel) {
   return kNames[channel];
 }
 
+const char* columnOf(Channel channel) {
+  constexpr const char* kColumns[] = {"range_m", "epw_m", "intensity"};
+  return kColumns[channel];
+}
+
 double CellStatistics::variance(Channel channel) const {
   if (count < 2.0) return 0.0;
   return std::max(0.0, (sum_of_squares[channel] - sum[channel] * sum[channel] / count) / (count - 1.0));

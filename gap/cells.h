@@ -15,6 +15,8 @@ namespace gap {
 /// The three quantities that a detection carries.
 enum Channel : std::size_t { kRange, kEpw, kIntensity, kChannels };
 [[nodiscard]] const char* nameOf(Channel channel);
+/// The column of a measurement that carries it.
+[[nodiscard]] const char* columnOf(Channel channel);
 
 /// Where measured and simulated detections are paired: one surface seen by one beam of one sample. The frames of a
 /// sample are repetitions of a cell. What the simulation knows of it comes from the baseline's geometry.

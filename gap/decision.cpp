@@ -169,9 +169,10 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
     return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
   };
+  const NullRuns nulls = nullRunsOf(exact);
   for (Candidate& candidate : worthALook(quick, decision.singles)) {
     core::stopIfCancelled(progress);
-    const Significance significance = significanceOf(exact, candidate);
+    const Significance significance = significanceOf(exact, nulls, candidate);
     const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
     if (!shown || !shrinks(candidate)) continue;
     exact.hear(candidate);
@@ -278,9 +279,9 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
     }
   }
   const Candidate& best = decision.singles.front();
-  const bool explains =
-      exact.accountedFor(best) >= enough ||
-      (best.explained >= kWeakGap && nothingElse(significanceOf(exact, best), decision.singles.size()));
+  const bool explains = exact.accountedFor(best) >= enough ||
+                        (best.explained >= kWeakGap &&
+                         nothingElse(significanceOf(exact, nullRunsOf(exact), best), decision.singles.size()));
   if (explains) {
     decision.name(best);
     decision.rivals = rivalsOf(exact, decision.singles);

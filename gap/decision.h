@@ -24,7 +24,7 @@ struct Decision {
   std::vector<Candidate> singles;   ///< best first
   std::vector<Candidate> pairs;     ///< those that were tried, best first
   std::vector<Rival> rivals;        ///< that come near to a single winner
-  bool beyond_library = false;      ///< the data show what no cause could do, and it is most of the gap
+  bool frames_move = false;         ///< all detections of a frame deviate together, which speaks against every cause
   double p_value = 1.0;             ///< of the gain that proved a cause where no gap is clear, times their number
 
   /// Causes that the data cannot tell from a single winner.

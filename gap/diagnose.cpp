@@ -107,7 +107,7 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   decision.winner.reset();
   decision.rivals.clear();
   decision.kind = VerdictKind::kUnknown;
-  decision.beyond_library = true;
+  decision.frames_move = true;
 }
 
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
@@ -280,7 +280,7 @@ double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
-  verdict.frames_move = decision.beyond_library;
+  verdict.frames_move = decision.frames_move;
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();
@@ -291,7 +291,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const bool none_could = decision.singles.empty() || decision.beyond_library;
+    const bool none_could = decision.singles.empty() || decision.frames_move;
     const double named = none_could ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
     verdict.confidence = std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;

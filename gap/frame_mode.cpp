@@ -5,26 +5,28 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "gap/wording.h"
+
 namespace gap {
 
 namespace {
 
+/// By channel.
+constexpr std::vector<double> core::Detections::*kValues[] = {&core::Detections::range_m, &core::Detections::epw_m,
+                                                              &core::Detections::intensity};
+
 constexpr double kStandsOut = 6.0;  // standard deviations: a right model of any kind gives three at most
 
-std::vector<double>* valuesOf(core::Detections& detections, Channel channel) {
-  return channel == kRange ? &detections.range_m : channel == kEpw ? &detections.epw_m : &detections.intensity;
-}
-
 /// Deviation of every frame from the others: mean over its detections of what each deviates from its cell's mean.
-struct Frames {
+struct Deviations {
   std::map<std::int32_t, double> deviation;
   double excess = 0.0;    ///< of the squares of the frames' deviations over what independent detections give, which
   double expected = 0.0;  ///< has this mean: the number of frames but one
   double variance = 0.0;  ///< of the common deviation
 };
 
-Frames framesOf(const ReplaySample& sample, const core::Detections& detections,
-                const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values) {
+Deviations deviationsOf(const ReplaySample& sample, const core::Detections& detections,
+                        const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values) {
   struct Sums {
     double count = 0.0, sum = 0.0;
   };
@@ -45,7 +47,7 @@ Frames framesOf(const ReplaySample& sample, const core::Detections& detections,
     squares += deviation * deviation;
     freedom += 1.0 - 1.0 / cell.count;
   }
-  Frames frames;
+  Deviations frames;
   if (of_frame.size() < 2 || freedom <= 0.0 || squares <= 0.0) return frames;
   const double variance = squares / freedom;  // of one detection
   frames.expected = static_cast<double>(of_frame.size()) - 1.0;
@@ -61,14 +63,14 @@ Frames framesOf(const ReplaySample& sample, const core::Detections& detections,
 
 /// All held-out samples in one channel.
 struct Seen {
-  std::vector<Frames> measured;  ///< by sample
+  std::vector<Deviations> measured;  ///< by sample
   double z = 0.0;
   double stddev = 0.0;
 };
 
-double zOf(const std::vector<Frames>& samples) {
+double zOf(const std::vector<Deviations>& samples) {
   double excess = 0.0, expected = 0.0;
-  for (const Frames& frames : samples) {
+  for (const Deviations& frames : samples) {
     excess += frames.excess;
     expected += frames.expected;
   }
@@ -76,20 +78,28 @@ double zOf(const std::vector<Frames>& samples) {
 }
 
 Seen seenIn(const Judge& judge, Channel channel) {
-  const Replay& replay = judge.replay;
   Seen seen;
-  std::vector<Frames> simulated;
   for (const std::size_t s : judge.split.held_out.samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    core::Detections measured = sample.measured, baseline = replay.detections(replay.baseline(), s, replay.seed());
-    const auto beam_of = beamsOfDetections(baseline, sample.beams, {});
-    seen.measured.push_back(framesOf(sample, measured, sample.beam_of, *valuesOf(measured, channel)));
-    simulated.push_back(framesOf(sample, baseline, beam_of, *valuesOf(baseline, channel)));
+    const ReplaySample& sample = judge.replay.samples()[s];
+    seen.measured.push_back(deviationsOf(sample, sample.measured, sample.beam_of, sample.measured.*kValues[channel]));
     seen.stddev += seen.measured.back().variance / static_cast<double>(judge.split.held_out.samples.size());
   }
   seen.stddev = std::sqrt(seen.stddev);
-  seen.z = zOf(simulated) < kStandsOut ? zOf(seen.measured) : 0.0;
+  seen.z = zOf(seen.measured);
   return seen;
+}
+
+/// Whether the frames of the baseline deviate, too.
+bool isOfTheBaseline(const Judge& judge, Channel channel) {
+  const Replay& replay = judge.replay;
+  std::vector<Deviations> simulated;
+  for (const std::size_t s : judge.split.held_out.samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const core::Detections baseline = replay.detections(replay.baseline(), s, replay.seed());
+    const auto beam_of = beamsOfDetections(baseline, sample.beams, {});
+    simulated.push_back(deviationsOf(sample, baseline, beam_of, baseline.*kValues[channel]));
+  }
+  return zOf(simulated) >= kStandsOut;
 }
 
 /// Discrepancy of the baseline to a measurement from which the common deviation of every frame was taken out.
@@ -100,7 +110,7 @@ double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel)
   for (std::size_t i = 0; i < held_out.samples.size(); ++i) {
     const ReplaySample& sample = replay.samples()[held_out.samples[i]];
     core::Detections measured = sample.measured;
-    std::vector<double>& values = *valuesOf(measured, channel);
+    std::vector<double>& values = measured.*kValues[channel];
     for (std::size_t d = 0; d < values.size(); ++d) {
       const auto deviation = seen.measured[i].deviation.find(measured.frame[d]);
       if (deviation != seen.measured[i].deviation.end()) values[d] -= deviation->second;
@@ -119,7 +129,7 @@ std::optional<FrameMode> frameModeOf(const Judge& judge) {
   Seen most;
   for (const Channel channel : replay.channels()) {
     Seen seen = seenIn(judge, channel);
-    if (seen.z <= mode.z) continue;
+    if (seen.z < kStandsOut || seen.z <= mode.z || isOfTheBaseline(judge, channel)) continue;
     mode.channel = channel;
     mode.z = seen.z;
     mode.stddev = seen.stddev;
@@ -132,13 +142,12 @@ std::optional<FrameMode> frameModeOf(const Judge& judge) {
 }
 
 std::string sentenceOf(const FrameMode& mode) {
-  constexpr const char* kNames[] = {"range", "echo pulse width", "intensity"};
   return fmt::format(
       "All detections of a frame deviate together, in {} by {:.3g} {} (standard deviation over the frames): the frames "
-      "of "
-      "a sample do not repeat each other. No cause that was tried does that; look for what moves, drifts or alternates "
+      "of a sample do not repeat each other. No cause that was tried does that; look for what moves, drifts or "
+      "alternates "
       "between frames.",
-      kNames[mode.channel], mode.stddev, mode.channel == kIntensity ? "nW" : "m");
+      measurandTitle(nameOf(mode.channel)), mode.stddev, mode.channel == kIntensity ? "nW" : "m");
 }
 
 }  // namespace gap

@@ -68,8 +68,8 @@ void orderSector(Hypothesis& hypothesis) {
 
 /// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
 void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
-  FreeParameter& step = hypothesis.parameters.front();
-  const std::optional<Comb> comb = step.name == "range_step_m" ? rangeComb(replay) : std::nullopt;
+  FreeParameter& step = hypothesis.parameters.front();  // of the range
+  const std::optional<Comb> comb = rangeComb(replay);
   if (!comb || comb->step > step.high) return;
   step.start = comb->step;
   step.low = comb->step - comb->uncertain;

@@ -23,9 +23,11 @@ class Joined {
     }
     into_.hits.endBeam();
     sums_.clear();
+    // What comes on a second way is weak and spread: a quarter of the pulse apart, it is one part of the echo.
+    constexpr double kCoarser = 10.0;
     for (const model::SecondHit& way : second) {
       const std::span turns(way.turns.data(), way.turn_count);
-      sumOf(wayKeyOf(way.hit, rays), turns).add(way.hit, rays, turns);
+      sumOf(keyOf(way.hit, rays, kCoarser), turns).add(way.hit, rays, turns);
     }
     for (const Sum& s : sums_) {
       if (s.weight > 0.0) into_.second.push_back(s.meanWay(into_.rays));
@@ -74,15 +76,9 @@ class Joined {
     }
   };
 
-  [[nodiscard]] Key keyOf(const model::Hit& hit, const model::SubRays& rays) const {
-    return {hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / range_bin_m_)),
-            static_cast<std::int64_t>(std::floor(rays.left_rad[hit.ray] / left_bin_rad_))};
-  }
-  /// What comes on a second way is weak and spread: a quarter of the pulse apart, it is one part of the echo.
-  [[nodiscard]] Key wayKeyOf(const model::Hit& hit, const model::SubRays& rays) const {
-    constexpr double kCoarser = 10.0;
-    return {hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / (kCoarser * range_bin_m_))),
-            static_cast<std::int64_t>(std::floor(rays.left_rad[hit.ray] / (kCoarser * left_bin_rad_)))};
+  [[nodiscard]] Key keyOf(const model::Hit& hit, const model::SubRays& rays, double coarser = 1.0) const {
+    return {hit.object, static_cast<std::int64_t>(std::floor(hit.range_m / (coarser * range_bin_m_))),
+            static_cast<std::int64_t>(std::floor(rays.left_rad[hit.ray] / (coarser * left_bin_rad_)))};
   }
   Sum& sumOf(const Key& key, std::span<const model::Turn> way) {
     const auto found =

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
+#include <utility>
 
 namespace gap {
 
@@ -60,13 +60,13 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
 }
 
 std::optional<Comb> rangeComb(const Replay& replay) {
-  std::set<double> ranges;
+  std::vector<double> ranges;
   double step_m = replay.resolution(kRange);
   for (const ReplaySample& sample : replay.samples()) {
-    ranges.insert(sample.measured.range_m.begin(), sample.measured.range_m.end());
+    ranges.insert(ranges.end(), sample.measured.range_m.begin(), sample.measured.range_m.end());
     step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
   }
-  return combOf({ranges.begin(), ranges.end()}, 0.5 * step_m);
+  return combOf(std::move(ranges), 0.5 * step_m);
 }
 
 }  // namespace gap

@@ -138,10 +138,9 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     samples_.push_back(std::move(replay));
   }
   requireDetections(experiment, samples_);
-  constexpr const char* kColumns[] = {"range_m", "epw_m", "intensity"};
   for (const Channel channel : {kRange, kEpw, kIntensity}) {
     for (const model::Measurand& measurand : experiment.measurands) {
-      if (measurand.column != kColumns[channel] || !everywhere[channel]) continue;
+      if (measurand.column != columnOf(channel) || !everywhere[channel]) continue;
       channels_.push_back(channel);
       resolution_[channel] = measurand.resolution;
     }

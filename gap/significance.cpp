@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/parallel.h"
 #include "gap/statistics.h"
@@ -16,70 +17,77 @@ constexpr std::size_t kRunsApart = 8;  // of two causes
 
 constexpr std::uint64_t kFirstSeed = 3000;
 
-/// Of the gain of all samples but one (all, if there is no such sample).
-double zOfGains(const std::vector<double>& gains, const std::vector<std::vector<double>>& by_chance,
-                std::size_t left_out) {
-  const auto sum = [&](const std::vector<double>& of_samples) {
+/// Of the gain of all parts but one (all, if there is no such part).
+double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
+  const auto sum = [&](const std::vector<double>& of_parts) {
     double total = 0.0;
-    for (std::size_t s = 0; s < of_samples.size(); ++s) total += s == left_out ? 0.0 : of_samples[s];
+    for (std::size_t p = 0; p < of_parts.size(); ++p) total += p == left_out ? 0.0 : of_parts[p];
     return total;
   };
   std::vector<double> totals;
-  for (const auto& run : by_chance) totals.push_back(sum(run));
-  return Distribution(totals).z(sum(gains));
+  for (const auto& run : gains.by_chance) totals.push_back(sum(run));
+  return Distribution(totals).z(sum(gains.observed));
 }
 
 }  // namespace
 
-Significance significanceOf(const Judge& judge, const Candidate& candidate) {
+NullRuns::NullRuns(const Judge& judge, std::vector<Evidence> parts, std::size_t runs)
+    : judge_(&judge), parts_(std::move(parts)), without_(runs) {
+  const World& baseline = judge.replay.baseline();
+  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
+    for (const Evidence& part : parts_)
+      without_[run].push_back(discrepancyIn(judge.replay, baseline, baseline, part, seedOf(run)));
+  });
+}
+
+std::uint64_t NullRuns::seedOf(std::size_t run) const { return judge_->split.held_out.seed + kFirstSeed + run; }
+
+NullRuns::Gains NullRuns::gainsOf(const World& world) const {
+  const Replay& replay = judge_->replay;
+  const World& baseline = replay.baseline();
+  Gains gains{{}, without_};
+  core::parallelFor(runs(), 1, [&](std::size_t run, std::size_t) {
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      gains.by_chance[run][p] -= discrepancyIn(replay, baseline, world, parts_[p], seedOf(run));
+  });
+  for (const Evidence& part : parts_)
+    gains.observed.push_back(discrepancyOf(replay, baseline, part) - discrepancyOf(replay, world, part));
+  return gains;
+}
+
+NullRuns nullRunsOf(const Judge& judge) {
+  std::vector<Evidence> samples;
+  for (const std::size_t sample : judge.split.held_out.samples) {
+    samples.push_back(judge.split.held_out);
+    samples.back().samples = {sample};
+  }
+  return {judge, std::move(samples), kRuns};
+}
+
+Significance significanceOf(const Judge& judge, const NullRuns& nulls, const Candidate& candidate) {
   const Replay& replay = judge.replay;
   const Evidence& held_out = judge.split.held_out;
-  const World& baseline = replay.baseline();
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  const std::size_t samples = held_out.samples.size();
-  const auto only = [&](std::size_t sample) {
-    Evidence one = held_out;
-    one.samples = {held_out.samples[sample]};
-    return one;
-  };
-  std::vector<std::vector<double>> by_chance(kRuns);  // gains, of each sample
-  std::vector<double> rests(kRuns);
-  core::parallelFor(kRuns, 1, [&](std::size_t run, std::size_t) {
-    const std::uint64_t seed = held_out.seed + kFirstSeed + run;
-    for (std::size_t s = 0; s < samples; ++s)
-      by_chance[run].push_back(discrepancyIn(replay, baseline, baseline, only(s), seed) -
-                               discrepancyIn(replay, baseline, world, only(s), seed));
-    rests[run] = discrepancyIn(replay, world, world, held_out, seed);
+  const NullRuns::Gains gains = nulls.gainsOf(world);
+  std::vector<double> rests(nulls.runs());
+  core::parallelFor(rests.size(), 1, [&](std::size_t run, std::size_t) {
+    rests[run] = discrepancyIn(replay, world, world, held_out, nulls.seedOf(run));
   });
-  std::vector<double> gains;
-  for (std::size_t s = 0; s < samples; ++s)
-    gains.push_back(discrepancyOf(replay, baseline, only(s)) - discrepancyOf(replay, world, only(s)));
-  const auto best = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
-  const double z = zOfGains(gains, by_chance, samples);
-  return {z, upperTail(z, kRuns), Distribution(rests).z(discrepancyOf(replay, world, held_out)),
-          samples > 1 ? zOfGains(gains, by_chance, best) : z};
+  const std::size_t samples = gains.observed.size();
+  const auto best =
+      static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
+  const double z = zOf(gains, samples);
+  return {z, upperTail(z, nulls.runs()), Distribution(rests).z(discrepancyOf(replay, world, held_out)),
+          samples > 1 ? zOf(gains, best) : z};
 }
 
 std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates) {
-  const Replay& replay = judge.replay;
-  const Evidence& held_out = judge.split.held_out;
-  const World& baseline = replay.baseline();
-  const auto gainTo = [&](const World& world, std::uint64_t seed) {
-    return -discrepancyIn(replay, baseline, world, held_out, seed);
-  };
-  std::vector<double> without(kRoughRuns);
-  core::parallelFor(kRoughRuns, 1, [&](std::size_t run, std::size_t) {
-    without[run] = gainTo(baseline, held_out.seed + kFirstSeed + run);
-  });
-  std::vector<double> improvements(candidates.size());
-  core::parallelFor(candidates.size(), 1, [&](std::size_t c, std::size_t) {
-    const World world = worldOf(replay, candidates[c].hypothesis, candidates[c].values);
-    std::vector<double> gains(kRoughRuns);
-    for (std::size_t run = 0; run < kRoughRuns; ++run)
-      gains[run] = gainTo(world, held_out.seed + kFirstSeed + run) - without[run];
-    const double gain = discrepancyOf(replay, baseline, held_out) - discrepancyOf(replay, world, held_out);
-    improvements[c] = Distribution(gains).z(gain);
-  });
+  const NullRuns nulls(judge, {judge.split.held_out}, kRoughRuns);
+  std::vector<double> improvements;
+  for (const Candidate& candidate : candidates) {
+    const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
+    improvements.push_back(zOf(nulls.gainsOf(world), 1));
+  }
   return improvements;
 }
 

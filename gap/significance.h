@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "gap/candidates.h"
 
 namespace gap {
@@ -16,7 +19,31 @@ struct Significance {
   double without_best_z = 0.0;
 };
 
-[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate);
+/// Measurements drawn from the baseline: what a world gains on them over the baseline, it gains by chance. They are the
+/// same for every world, so the baseline is compared with each of them once.
+class NullRuns {
+ public:
+  /// `parts`: of the held-out evidence, whose gains are wanted each by itself.
+  NullRuns(const Judge& judge, std::vector<Evidence> parts, std::size_t runs);
+
+  /// In nats, of each part.
+  struct Gains {
+    std::vector<double> observed;
+    std::vector<std::vector<double>> by_chance;  ///< of each run
+  };
+  [[nodiscard]] Gains gainsOf(const World& world) const;
+  [[nodiscard]] std::size_t runs() const noexcept { return without_.size(); }
+  [[nodiscard]] std::uint64_t seedOf(std::size_t run) const;
+
+ private:
+  const Judge* judge_;
+  std::vector<Evidence> parts_;
+  std::vector<std::vector<double>> without_;  ///< discrepancy of the baseline in every run, of each part
+};
+
+/// As many runs as a verdict takes, sample by sample.
+[[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
+[[nodiscard]] Significance significanceOf(const Judge& judge, const NullRuns& nulls, const Candidate& candidate);
 
 /// The improvement_z of many candidates, from fewer measurements drawn: enough to see which to look at closely.
 [[nodiscard]] std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates);

@@ -152,10 +152,7 @@ std::vector<ResidualTable> residualTables(const Replay& replay,
   for (const Channel channel : replay.channels()) {
     const model::Measurand* measurand = nullptr;
     for (const model::Measurand& m : replay.experiment().measurands) {
-      if (m.name == nameOf(channel) || m.column == (channel == kRange ? "range_m"
-                                                    : channel == kEpw ? "epw_m"
-                                                                      : "intensity"))
-        measurand = &m;
+      if (m.name == nameOf(channel) || m.column == columnOf(channel)) measurand = &m;
     }
     ResidualTable bias{measurand->name, "bias", measurand->unit, measurand->resolution, {}};
     ResidualTable scatter{measurand->name, "scatter", measurand->unit, measurand->resolution, {}};

@@ -19,6 +19,14 @@ gap::Diagnosis diagnosed(const model::Experiment& experiment, const model::Lidar
   return gap::diagnose(experiment, model, {.library = std::move(library)}, progress);
 }
 
+/// One effect, with the one number that it has.
+void expectEffect(const gap::Diagnosis& diagnosis, const std::string& name, double value, double tolerance) {
+  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{name});
+  ASSERT_EQ(diagnosis.causes.front().parameters.size(), 1U);
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, value, tolerance);
+}
+
 TEST(Diagnose, SaysNoneWhereOnlyTheNoiseDiffers) {
   const SmallWorld world;
   const auto model = SmallWorld::modelWith({});
@@ -33,10 +41,7 @@ TEST(Diagnose, NamesFogAndRecoversItsVisibility) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 400}}}});
   const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
-  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
-  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-attenuation"});
-  ASSERT_EQ(diagnosis.causes.front().parameters.size(), 1U);
-  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 400.0, 20.0);  // 5 %
+  expectEffect(diagnosis, "atmospheric-attenuation", 400.0, 20.0);  // 5 %
   EXPECT_GT(diagnosis.shrink.fraction, 0.9);
   EXPECT_TRUE(diagnosis.proposed_model["effects"].contains("atmospheric-attenuation"));
 }
@@ -46,11 +51,8 @@ TEST(Diagnose, NamesACounterWhoseStepsOnlyTheValuesShow) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith({{"quantisation", {{"range_step_m", 0.0437}}}});
   const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
-  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
-  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"quantisation"});
-  ASSERT_EQ(diagnosis.causes.front().parameters.size(), 1U);
-  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.0437, 2e-5);  // half a turn at 47 m is 2e-5 m
-  EXPECT_GT(diagnosis.shrink.fraction, 0.05);  // the noise of the pooled data is the larger part
+  expectEffect(diagnosis, "quantisation", 0.0437, 2e-5);  // half a turn at 47 m is 2e-5 m
+  EXPECT_GT(diagnosis.shrink.fraction, 0.05);             // the noise of the pooled data is the larger part
 }
 
 TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
