@@ -18,7 +18,7 @@ namespace {
 constexpr int kFitFrames = 5;
 constexpr int kRefineFrames = 16;
 constexpr int kJudgeFrames = 16;
-constexpr int kNullRuns = 8;
+constexpr int kNullRuns = 20;              // their spread is known to a sixth
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
 constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams

@@ -35,7 +35,7 @@ struct FittedParameter {
 
 struct Shrink {
   double fraction = 0.0;  ///< 1 - after/before of the total gap on held-out samples
-  Interval interval;
+  Interval interval;      ///< 90 %, of what a repetition of the held-out experiments would show
 };
 
 /// A hypothesis after its fit.

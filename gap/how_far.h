@@ -10,7 +10,7 @@ namespace gap {
 /// The total gap with a cause added, and how much of it is gone.
 struct After {
   TotalGap gap;
-  Shrink shrink;  ///< interval: a bootstrap over samples (set-ups) and their frames
+  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups) and their frames
   std::vector<SampleTotals> samples;
 };
 

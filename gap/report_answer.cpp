@@ -100,7 +100,7 @@ std::string shrinkText(const Diagnosis& diagnosis) {
         "samples that the fit never saw; pooled data hide what evens out between beams.",
         core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));
   return fmt::format(
-      "By {} (95 % interval {}), from {} to {}, on samples that the fit never saw. 100 % would be perfect agreement, "
+      "By {} (90 % interval {}), from {} to {}, on samples that the fit never saw. 100 % would be perfect agreement, "
       "which noise does not allow.",
       percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
       core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));

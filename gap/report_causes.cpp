@@ -58,7 +58,7 @@ Html numbersOf(const Cause& cause) {
 void addChart(report::Page& page, const Diagnosis& diagnosis) {
   report::BarFigure bars;
   bars.title = "By how much each cause alone would shrink the gap";
-  bars.value_name = "per cent of the total gap on held-out samples (whisker: 95 % interval)";
+  bars.value_name = "per cent of the total gap on held-out samples (whisker: 90 % interval)";
   double least = 0.0;
   for (std::size_t i = 0; i < diagnosis.causes.size(); ++i) {
     const Cause& cause = diagnosis.causes[i];

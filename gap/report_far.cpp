@@ -134,7 +134,7 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis) {
         "part in fitting it.");
     page.paragraph(
         report::text("The ") + report::link("#word-total-gap", "total gap") +
-        report::text(fmt::format(" falls from {} to {}: it shrinks by {} (95 % interval {}). Held-out samples: {}.",
+        report::text(fmt::format(" falls from {} to {}: it shrinks by {} (90 % interval {}). Held-out samples: {}.",
                                  core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
                                  percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
                                  core::join(diagnosis.held_out))));

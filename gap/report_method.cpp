@@ -107,6 +107,8 @@ std::vector<report::Definition> words() {
       word("95 % interval", "",
            "The range in which the true number lies in 95 of 100 cases. For fitted numbers it "
            "tells how much they change if any one set-up is left out."),
+      word("90 % interval of the shrink", "",
+           "The range in which the shrink would lie in 90 of 100 repetitions of the held-out recordings."),
       word("set-up", "word-setup",
            "Everything that was recorded without moving target or reference device; its "
            "recordings share the same error of the reference."),

@@ -94,7 +94,7 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
   const auto measured =
       folder_ / ("measured-" + std::to_string(std::distance(std::filesystem::directory_iterator(folder_.path()),
                                                             std::filesystem::directory_iterator())));
-  model::simulatePackage(real, truth, measured, 4711, progress);  // another seed than the model under test
+  model::simulatePackage(real, truth, measured, seed_, progress);
   json recorded = experimentJson(reflectivity_, {});
   for (json& sample : recorded["samples"]) {
     if (known_to_within_m_ <= 0.0) continue;
@@ -107,6 +107,11 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
 
 json SmallWorld::recorded(const std::map<std::string, double>& offset_m) const {
   return experimentJson(reflectivity_, offset_m);
+}
+
+SmallWorld& SmallWorld::measuredUnder(std::uint64_t seed) {
+  seed_ = seed;
+  return *this;
 }
 
 SmallWorld& SmallWorld::knownToWithin(double half_m) {

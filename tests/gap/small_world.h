@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -28,11 +29,14 @@ class SmallWorld {
   [[nodiscard]] nlohmann::json recorded(const std::map<std::string, double>& offset_m = {}) const;
   /// The same, recorded with an epistemic interval of ± `half_m` for the wall's distance.
   SmallWorld& knownToWithin(double half_m);
+  /// Measured under other noise than usual; never that of the model under test.
+  SmallWorld& measuredUnder(std::uint64_t seed);
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
  private:
   double reflectivity_;
   double known_to_within_m_ = 0.0;
+  std::uint64_t seed_ = 4711;
   TemporaryFolder folder_;
 };
 
