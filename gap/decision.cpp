@@ -12,9 +12,10 @@ namespace gap {
 
 namespace {
 
-constexpr double kAccountsFor = 0.65;  // share of the gap that a cause must account for to be named, if nothing else
-constexpr double kBeliefWidth = 0.07;  // of that share: from a cause that is as likely wrong to one that is hardly ever
-constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
+constexpr double kAccountsFor = 0.8;     // share of the gap that a cause must account for to be named, if nothing else
+constexpr double kEvenBelief = 0.85;     // of the gap: a cause that accounts for so much is as likely right as wrong
+constexpr double kBeliefWidth = 0.05;    // of that share: from such a cause to one that is hardly ever wrong
+constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
 constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
 constexpr double kMaterialCells = 0.08;  // or of the discrepancy
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
@@ -107,10 +108,11 @@ bool nothingElse(const Significance& significance, std::size_t causes) {
   return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
 }
 
-/// Free numbers that are not where the cause is absent: an effect may have several mechanisms, of which one is at work.
-double numbersAtWork(const Candidate& candidate) {
+/// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
+/// mechanisms, of which one is at work), and the choice of a form other than its usual one.
+double choicesIn(const Candidate& candidate) {
   constexpr double kNothing = 0.01;  // of the range
-  double count = 0.0;
+  double count = candidate.hypothesis.variant.empty() ? 0.0 : 1.0;
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
     count += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
@@ -118,8 +120,13 @@ double numbersAtWork(const Candidate& candidate) {
   return count;
 }
 
-/// How well the best one is told from each cause that comes near to it. One that needs more numbers to say the same is
-/// less likely by their price.
+/// Twice the logarithm of a likelihood ratio is the square of its z; every choice more makes a rival less likely.
+double separationOf(double twice_log_ratio, const Candidate& best, const Candidate& rival) {
+  const double more_choices = std::max(0.0, choicesIn(rival) - choicesIn(best));
+  return std::sqrt(std::max(0.0, twice_log_ratio + 2.0 * Judge::kNatsPerNumber * more_choices));
+}
+
+/// How well the best one is told from each cause that comes near to it.
 std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
   const double alike = kTie * judge.yardstick.whole();
@@ -133,10 +140,41 @@ std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& ca
     judge.hear(candidate);  // few beams may have been all that it was judged by so far
     const bool same = candidate.discrepancy < best.discrepancy + alike;
     const double apart = same ? 0.0 : std::max(0.0, separation(judge, best, candidate));
-    const double more_numbers = std::max(0.0, numbersAtWork(candidate) - numbersAtWork(best));
-    rivals.push_back({name, std::sqrt(apart * apart + 2.0 * Judge::kNatsPerNumber * more_numbers)});
+    rivals.push_back({name, separationOf(apart * apart, best, candidate)});
   }
   return rivals;
+}
+
+/// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
+std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                   const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
+                                   core::Progress& progress) {
+  core::PartOfProgress part(progress, 0.1, 0.6);
+  std::vector<Candidate> singles = rank(quick, hypotheses, where, part);
+  polish(exact, gaps, singles, where, progress);
+  const auto no_error = [&](const Candidate& candidate) {
+    return asRecorded(exact.replay, candidate.hypothesis, candidate.values);
+  };
+  if (std::erase_if(singles, no_error) > 0) polish(exact, gaps, singles, where, progress);
+  return singles;
+}
+
+/// The steps of a counter that the values show are there beside whatever else is missing, and cell means hardly feel
+/// them: with the best cause they make a pair, unless cells agree less than with that cause alone.
+std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOutGaps& gaps,
+                                               const std::vector<WhereRow>& where,
+                                               const std::vector<Candidate>& singles, const core::Progress& progress) {
+  const Candidate& best = singles.front();
+  const auto seen = std::find_if(singles.begin(), singles.end(),
+                                 [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
+  if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return std::nullopt;
+  std::vector<Candidate> pair{{.hypothesis = together(best.hypothesis, seen->hypothesis), .values = best.values}};
+  std::vector<double>& values = pair.front().values;
+  values.insert(values.end(), seen->values.begin(), seen->values.end());
+  polish(judge, gaps, pair, where, progress);
+  const LeftOver alone = leftBy(best), both = leftBy(pair.front());
+  const bool harms = both.discrepancy > alone.discrepancy + kMaterialCells || both.total > kMostRestOfPair;
+  return harms ? std::nullopt : std::optional(pair.front());
 }
 
 bool provesItself(const Significance& significance, std::size_t causes) {
@@ -190,16 +228,15 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   decision.name(best);
   for (const Candidate& other : decision.singles) {
     if (other.hypothesis.name == best.hypothesis.name || decision.rivals.size() == kRivals) continue;
-    // Twice the logarithm of a likelihood ratio is the square of its z.
     const double z = z_of.at(formOf(best.hypothesis)), z_other = z_of.at(formOf(other.hypothesis));
-    decision.rivals.push_back({other.hypothesis.name, std::sqrt(std::max(0.0, z * z - z_other * z_other))});
+    decision.rivals.push_back({other.hypothesis.name, separationOf(z * z - z_other * z_other, best, other)});
   }
 }
 
 }  // namespace
 
 double beliefIn(double accounted_for) {
-  return kMostBelief / (1.0 + std::exp((kAccountsFor - accounted_for) / kBeliefWidth));
+  return kMostBelief / (1.0 + std::exp((kEvenBelief - accounted_for) / kBeliefWidth));
 }
 
 std::vector<double> confidencesOf(const Decision& decision, double belief) {
@@ -252,9 +289,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                 const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
                 core::Progress& progress) {
   Decision decision;
-  core::PartOfProgress first(progress, 0.1, 0.6), second(progress, 0.6, 0.85);
-  decision.singles = rank(quick, hypotheses, where, first);
-  polish(exact, gaps, decision.singles, where, progress);
+  decision.singles = rankedAlone(quick, exact, gaps, where, hypotheses, progress);
   if (decision.singles.empty()) {
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
     return decision;
@@ -266,6 +301,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
   const double enough = std::max(kWeakGap, kAccountsFor - 2.0 * noise);
   if (roomForASecond(leftBy(decision.singles.front()), noise)) {
+    core::PartOfProgress second(progress, 0.6, 0.85);
     std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
     learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
     polish(exact, gaps, pairs, where, progress);
@@ -282,7 +318,10 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const bool explains = exact.accountedFor(best) >= enough ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, nullRunsOf(exact), best), decision.singles.size()));
-  if (explains) {
+  if (!explains) return decision;
+  if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
+    decision.name(*pair);
+  } else {
     decision.name(best);
     decision.rivals = rivalsOf(exact, decision.singles);
   }

@@ -386,12 +386,29 @@ std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<st
   return list;
 }
 
+bool asRecorded(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
+  if (hypothesis.kind != CauseKind::kReference) return false;
+  const auto offsetIn = [&](const model::Sample& sample) {
+    const auto own = std::find_if(hypothesis.parameters.begin(), hypothesis.parameters.end(),
+                                  [&](const FreeParameter& p) { return p.name == sample.setup; });
+    return hypothesis.per_setup ? values[static_cast<std::size_t>(own - hypothesis.parameters.begin())] : values[0];
+  };
+  return std::all_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& one) {
+    const model::Sample& sample = *one.sample;
+    return std::any_of(sample.epistemic.begin(), sample.epistemic.end(), [&](const model::Epistemic& epistemic) {
+      const double offset = offsetIn(sample);
+      return epistemic.path == hypothesis.name && epistemic.low <= offset && offset <= epistemic.high;
+    });
+  });
+}
+
 Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
   Hypothesis both = a;
   both.name = a.name + " + " + b.name;
   both.variant = a.variant.empty() ? b.variant : b.variant.empty() ? a.variant : a.variant + ", " + b.variant;
   both.parameters.insert(both.parameters.end(), b.parameters.begin(), b.parameters.end());
   both.members = {a, b};
+  both.seen_in_values = false;  // one of them alone, at best
   const std::size_t split = a.parameters.size();
   both.apply = [first = a.apply, second = b.apply, split](World& world, const std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(split);

@@ -47,6 +47,10 @@ using Form = std::tuple<std::string, std::string, std::vector<std::string>>;
 /// sensor, materials and active effects, reference quantities. `only` names effects (empty: all).
 [[nodiscard]] std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<std::string>& only);
 
+/// Whether these values move a reference quantity only to where it may stand by what is recorded of it, in all samples:
+/// that is no error of the reference, and every hypothesis may settle there (settle.h).
+[[nodiscard]] bool asRecorded(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);
+
 /// Both at once.
 [[nodiscard]] Hypothesis together(const Hypothesis& a, const Hypothesis& b);
 

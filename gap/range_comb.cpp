@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kPlacesPerTurn = 8.0;  // of the farthest value's phase: the peak is one turn wide
 constexpr double kMostPlaces = 40000.0;
-constexpr double kAligned = 0.9;  // mean cosine: a rounding of a quarter of the step to either side leaves that much
-constexpr double kCoarser = 3.0;  // times the rounding: finer steps are the rounding itself
+constexpr double kAligned = 0.9;    // of the mean cosine that a comb with this rounding has
+constexpr double kByChance = 1e-3;  // that scattered values are as well aligned with any of the combs looked at
+constexpr double kCoarser = 4.0;  // times the rounding: two of its steps; finer combs look like coarser ones (aliasing)
 constexpr std::size_t kFewest = 10;
 constexpr std::size_t kMostValues = 500;
 
@@ -22,6 +23,12 @@ double alignment(const std::vector<double>& values, double frequency) {
   double sum = 0.0;
   for (const double value : values) sum += std::cos(2.0 * std::numbers::pi * frequency * value);
   return sum / static_cast<double>(values.size());
+}
+
+/// What rounding, evenly spread over so much to either side, leaves of the alignment with a comb of this frequency.
+double alignmentLeftBy(double rounding, double frequency) {
+  const double phase = 2.0 * std::numbers::pi * frequency * rounding;
+  return phase > 0.0 ? std::sin(phase) / phase : 1.0;
 }
 
 std::vector<double> thinned(const std::vector<double>& values) {
@@ -41,10 +48,11 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   if (values.size() < kFewest) return std::nullopt;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < values.size(); ++i) smallest = std::min(smallest, values[i] - values[i - 1]);
-  if (smallest < kCoarser * rounding) return std::nullopt;
+  const double finest = kCoarser * rounding;
+  if (smallest < finest - kSame) return std::nullopt;
 
   const std::vector<double> some = thinned(values);
-  const double lowest = 1.0 / (smallest + 2.0 * rounding), highest = 1.0 / (smallest - 2.0 * rounding);
+  const double lowest = 1.0 / (smallest + 2.0 * rounding), highest = 1.0 / std::max(finest, smallest - 2.0 * rounding);
   const double turns = kPlacesPerTurn * values.back(), places = std::ceil((highest - lowest) * turns);
   if (places > kMostPlaces) return std::nullopt;
   double best = lowest, most = alignment(some, lowest);
@@ -54,7 +62,8 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
     most = aligned;
     best = frequency;
   }
-  if (most < kAligned) return std::nullopt;
+  const double by_chance = (places + 1.0) * std::exp(-static_cast<double>(some.size()) * most * most);
+  if (most < kAligned * alignmentLeftBy(rounding, best) || by_chance > kByChance) return std::nullopt;
   const double step = 1.0 / best;
   return Comb{step, 0.5 * step * step / values.back()};
 }

@@ -32,7 +32,7 @@ EffectEntry beamDivergence() {
                                    "Full width; without it the profile's", true, 0.003},
                                   {"vertical_rad", "rad", 0.0, 0.2, std::nullopt,
                                    "Full width; without it the profile's", true, 0.003}},
-                   .fitted = {"horizontal_rad", "vertical_rad"},
+                   .other_forms = {{"of another width", {"horizontal_rad", "vertical_rad"}}},
                    .source = "Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011, sec. 2",
                    .moves_geometry = true},
           .make = makeFrom<BeamDivergence>};

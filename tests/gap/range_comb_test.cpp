@@ -12,13 +12,14 @@ constexpr double kRounding_m = 0.001;
 
 double rounded(double value, double step) { return step * std::round(value / step); }
 
-/// Ranges from 4 to 24 m, as a counter of this step tells them, written down in steps of 2 mm.
-std::vector<double> ranges(double step_m) {
+/// Ranges from 4 to 24 m, as a counter of this step tells them, written down in steps of 2 mm, or of twice
+/// `rounding_m`.
+std::vector<double> ranges(double step_m, double rounding_m = kRounding_m) {
   core::Random random({.seed = 7});
   std::vector<double> values;
   for (int i = 0; i < 400; ++i) {
     const double range_m = 4.0 + 20.0 * random.uniform();
-    values.push_back(rounded(step_m > 0.0 ? rounded(range_m, step_m) : range_m, 2.0 * kRounding_m));
+    values.push_back(rounded(step_m > 0.0 ? rounded(range_m, step_m) : range_m, 2.0 * rounding_m));
   }
   return values;
 }
@@ -29,6 +30,20 @@ TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
   ASSERT_TRUE(comb);
   EXPECT_NEAR(comb->step, 0.0117, comb->uncertain);
   EXPECT_LT(comb->uncertain, 5e-6);
+}
+
+// Multiples of 0.0419 m in steps of 0.02 m: 0.04, 0.08, 0.12, 0.16 or 0.18, ...
+TEST(RangeComb, TellsAStepThatTheProfilesOwnStepsBlur) {
+  const auto comb = gap::combOf(ranges(0.0419, 0.01), 0.01);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.0419, comb->uncertain);
+}
+
+TEST(RangeComb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
+  core::Random random({.seed = 11});
+  std::vector<double> values{4.0};
+  for (int i = 0; i < 14; ++i) values.push_back(rounded(values.back() + 0.04 + 0.06 * random.uniform(), 0.02));
+  EXPECT_FALSE(gap::combOf(values, 0.01));
 }
 
 TEST(RangeComb, SeesNoneInValuesThatAreOnlyRounded) { EXPECT_FALSE(gap::combOf(ranges(0.0), kRounding_m)); }
