@@ -55,6 +55,18 @@ TEST(Diagnose, NamesACounterWhoseStepsOnlyTheValuesShow) {
   EXPECT_GT(diagnosis.shrink.fraction, 0.05);             // the noise of the pooled data is the larger part
 }
 
+// Fog moves every mean; the counter beside it hardly does, and no pair would earn it its place. The values tell.
+TEST(Diagnose, NamesACounterBesideTheFogThatHidesIt) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"atmospheric-attenuation", {{"visibility_m", 150}}}, {"quantisation", {{"range_step_m", 0.0437}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  EXPECT_EQ(diagnosis.verdict.names, (std::vector<std::string>{"atmospheric-attenuation", "quantisation"}));
+  ASSERT_GE(diagnosis.causes.size(), 2U);
+  EXPECT_NEAR(diagnosis.causes[0].parameters.at(0).value, 150.0, 7.5);
+  EXPECT_NEAR(diagnosis.causes[1].parameters.at(0).value, 0.0437, 2e-5);
+}
+
 TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith(

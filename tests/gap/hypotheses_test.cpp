@@ -53,6 +53,45 @@ TEST(Hypotheses, AnEffectIsTriedInEveryFormThatItDeclares) {
   EXPECT_EQ(turned.model.effects.back().parameters.numbers, (std::map<std::string, double>{{"roll_deg", 0.7}}));
 }
 
+// What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
+TEST(Hypotheses, AReferenceIsWrongOnlyBeyondWhatIsRecordedOfIt) {
+  SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto unknown = world.measuredBy(model, 0.4);
+  const auto known = world.knownToWithin(0.01).measuredBy(model, 0.4);
+  const gap::Replay without(unknown, model), within(known, model);
+  const auto all = gap::hypothesesFor(within, {"range-offset"});
+  const auto constant = std::find_if(all.begin(), all.end(), [](const gap::Hypothesis& h) {
+    return h.name == "/scene/0/pose/position_m/0" && !h.per_setup;
+  });
+  const auto varying = std::find_if(all.begin(), all.end(), [](const gap::Hypothesis& h) {
+    return h.name == "/scene/0/pose/position_m/0" && h.per_setup;
+  });
+  ASSERT_NE(constant, all.end());
+  ASSERT_NE(varying, all.end());
+  EXPECT_TRUE(gap::asRecorded(within, *constant, {-0.008}));
+  EXPECT_FALSE(gap::asRecorded(within, *constant, {0.012}));
+  EXPECT_FALSE(gap::asRecorded(without, *constant, {0.001}));  // nothing was recorded of it
+  std::vector<double> offsets(varying->parameters.size(), 0.005);
+  EXPECT_TRUE(gap::asRecorded(within, *varying, offsets));
+  offsets.back() = -0.02;  // one set-up is enough
+  EXPECT_FALSE(gap::asRecorded(within, *varying, offsets));
+  EXPECT_FALSE(gap::asRecorded(within, all.front(), {0.001}));  // an effect
+}
+
+// Who forgot that a beam has a width means the profile's; another width is another thing to be wrong about.
+TEST(Hypotheses, BeamDivergenceIsTriedWithTheWidthOfTheProfileFirst) {
+  const SmallWorld world;
+  auto json = SmallWorld::modelWith({}).json;
+  json["effects"].erase("beam-divergence");
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const gap::Replay replay(measured, model::parseModel(json, "small-model.json"));
+  std::vector<std::size_t> free_numbers;
+  for (const gap::Hypothesis& h : gap::hypothesesFor(replay, {"beam-divergence"}))
+    if (h.name == "beam-divergence") free_numbers.push_back(h.parameters.size());
+  EXPECT_EQ(free_numbers, (std::vector<std::size_t>{0, 2}));
+}
+
 // Every surface may mirror, so second bounces are traced once, and only their power depends on how much of it does.
 TEST(Hypotheses, NumbersThatChangeOnlyThePowerShareOneGeometry) {
   const SmallWorld world;
