@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "gap/cross_fit.h"
 #include "gap/pairs.h"
 #include "gap/significance.h"
 
@@ -32,7 +33,8 @@ constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in
 constexpr std::size_t kRivals = 5;
 constexpr std::size_t kLookedAt = 8;  // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;   // standard deviations of the gain with few beams: with all it takes four of them
-constexpr double kTie = 0.03;         // of what there is to explain: causes this close cannot be told apart
+constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
+constexpr double kTie = 0.03;           // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
@@ -178,7 +180,7 @@ std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOut
 }
 
 bool provesItself(const Significance& significance, std::size_t causes) {
-  return nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
+  return significance.gain > 0.0 && nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
 }
 
 /// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
@@ -208,9 +210,14 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
   };
   const NullRuns nulls = nullRunsOf(exact);
+  std::optional<CrossFit> both_ways;
   for (Candidate& candidate : worthALook(quick, decision.singles)) {
     core::stopIfCancelled(progress);
-    const Significance significance = significanceOf(exact, nulls, candidate);
+    Significance significance = significanceOf(exact, candidate, nulls);
+    if (significance.improvement_z > kWorthCrossing) {
+      if (!both_ways) both_ways.emplace(quick, exact, nulls);
+      if (both_ways->applies(candidate)) significance = both_ways->significanceOf(candidate, progress);
+    }
     const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
     if (!shown || !shrinks(candidate)) continue;
     exact.hear(candidate);
@@ -317,7 +324,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const Candidate& best = decision.singles.front();
   const bool explains = exact.accountedFor(best) >= enough ||
                         (best.explained >= kWeakGap &&
-                         nothingElse(significanceOf(exact, nullRunsOf(exact), best), decision.singles.size()));
+                         nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   if (!explains) return decision;
   if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
     decision.name(*pair);

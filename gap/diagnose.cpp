@@ -229,8 +229,8 @@ Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without)
   const Split by_samples = without.applied(splitOf(replay, seed));
   const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
   const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, by_samples.fitted).z();
-  if (std::min(z_held, z_fitted) >= std::min(kClear, std::max(z_held, z_fitted) / kMuchClearer))
-    return {replay, by_samples, yardstick};
+  const double least = std::min(z_held, z_fitted), most = std::max(z_held, z_fitted);
+  if (most < kClear || least >= std::min(kClear, most / kMuchClearer)) return {replay, by_samples, yardstick};
   const Split by_beams = without.applied(splitByBeams(replay, seed));
   return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
 }

@@ -1,6 +1,7 @@
 #include "gap/range_comb.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,6 +16,7 @@ constexpr double kMostPlaces = 40000.0;
 constexpr double kAligned = 0.9;    // of the mean cosine that a comb with this rounding has
 constexpr double kByChance = 1e-3;  // that scattered values are as well aligned with any of the combs looked at
 constexpr double kCoarser = 4.0;  // times the rounding: two of its steps; finer combs look like coarser ones (aliasing)
+constexpr int kBitsOfPeak = 30;
 constexpr std::size_t kFewest = 10;
 constexpr std::size_t kMostValues = 500;
 
@@ -64,8 +66,11 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   }
   const double by_chance = (places + 1.0) * std::exp(-static_cast<double>(some.size()) * most * most);
   if (most < kAligned * alignmentLeftBy(rounding, best) || by_chance > kByChance) return std::nullopt;
+  const auto misaligned = [&](double frequency) { return -alignment(values, frequency); };
+  const double place = 1.0 / turns;
+  best = boost::math::tools::brent_find_minima(misaligned, best - place, best + place, kBitsOfPeak).first;
   const double step = 1.0 / best;
-  return Comb{step, 0.5 * step * step / values.back()};
+  return Comb{step, place * step * step};
 }
 
 std::optional<Comb> rangeComb(const Replay& replay) {

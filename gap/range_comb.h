@@ -10,8 +10,7 @@ namespace gap {
 /// Steps of a counter: all values are multiples of one number.
 struct Comb {
   double step;       ///< [unit of the values]
-  double uncertain;  ///< half the width of the periodogram's peak: a step that is off by more puts the farthest values
-                     ///< onto another multiple [unit of the values]
+  double uncertain;  ///< of the step: an eighth of a turn of the farthest value's phase [unit of the values]
 };
 
 /// The comb on which the values lie, but for rounding of so much to either side: sought about the smallest distance of

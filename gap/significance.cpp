@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/parallel.h"
@@ -17,6 +18,8 @@ constexpr std::size_t kRunsApart = 8;  // of two causes
 
 constexpr std::uint64_t kFirstSeed = 3000;
 
+std::uint64_t seedOf(const Evidence& evidence, std::size_t run) { return evidence.seed + kFirstSeed + run; }
+
 /// Of the gain of all parts but one (all, if there is no such part).
 double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
   const auto sum = [&](const std::vector<double>& of_parts) {
@@ -31,58 +34,72 @@ double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
 
 }  // namespace
 
-NullRuns::NullRuns(const Judge& judge, std::vector<Evidence> parts, std::size_t runs)
-    : judge_(&judge), parts_(std::move(parts)), without_(runs) {
-  const World& baseline = judge.replay.baseline();
+NullRuns::NullRuns(const Replay& replay, std::vector<Evidence> parts, std::size_t runs)
+    : replay_(&replay), parts_(std::move(parts)), without_(runs) {
+  const World& baseline = replay.baseline();
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
     for (const Evidence& part : parts_)
-      without_[run].push_back(discrepancyIn(judge.replay, baseline, baseline, part, seedOf(run)));
+      without_[run].push_back(discrepancyIn(replay, baseline, baseline, part, seedOf(part, run)));
   });
 }
 
-std::uint64_t NullRuns::seedOf(std::size_t run) const { return judge_->split.held_out.seed + kFirstSeed + run; }
-
 NullRuns::Gains NullRuns::gainsOf(const World& world) const {
-  const Replay& replay = judge_->replay;
-  const World& baseline = replay.baseline();
+  const World& baseline = replay_->baseline();
   Gains gains{{}, without_};
   core::parallelFor(runs(), 1, [&](std::size_t run, std::size_t) {
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      gains.by_chance[run][p] -= discrepancyIn(replay, baseline, world, parts_[p], seedOf(run));
+      gains.by_chance[run][p] -= discrepancyIn(*replay_, baseline, world, parts_[p], seedOf(parts_[p], run));
   });
   for (const Evidence& part : parts_)
-    gains.observed.push_back(discrepancyOf(replay, baseline, part) - discrepancyOf(replay, world, part));
+    gains.observed.push_back(discrepancyOf(*replay_, baseline, part) - discrepancyOf(*replay_, world, part));
   return gains;
 }
 
-NullRuns nullRunsOf(const Judge& judge) {
-  std::vector<Evidence> samples;
-  for (const std::size_t sample : judge.split.held_out.samples) {
-    samples.push_back(judge.split.held_out);
-    samples.back().samples = {sample};
+std::vector<Evidence> bySample(const Evidence& evidence) {
+  std::vector<Evidence> parts;
+  for (const std::size_t sample : evidence.samples) {
+    parts.push_back(evidence);
+    parts.back().samples = {sample};
   }
-  return {judge, std::move(samples), kRuns};
+  return parts;
 }
 
-Significance significanceOf(const Judge& judge, const NullRuns& nulls, const Candidate& candidate) {
+NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more) {
+  gains.observed.insert(gains.observed.end(), more.observed.begin(), more.observed.end());
+  for (std::size_t run = 0; run < gains.by_chance.size(); ++run) {
+    std::vector<double>& of_run = gains.by_chance[run];
+    of_run.insert(of_run.end(), more.by_chance[run].begin(), more.by_chance[run].end());
+  }
+  return gains;
+}
+
+NullRuns nullRunsOf(const Judge& judge) { return {judge.replay, bySample(judge.split.held_out), kRuns}; }
+
+Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns::Gains& gains) {
   const Replay& replay = judge.replay;
   const Evidence& held_out = judge.split.held_out;
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  const NullRuns::Gains gains = nulls.gainsOf(world);
-  std::vector<double> rests(nulls.runs());
+  std::vector<double> rests(gains.by_chance.size());
   core::parallelFor(rests.size(), 1, [&](std::size_t run, std::size_t) {
-    rests[run] = discrepancyIn(replay, world, world, held_out, nulls.seedOf(run));
+    rests[run] = discrepancyIn(replay, world, world, held_out, seedOf(held_out, run));
   });
-  const std::size_t samples = gains.observed.size();
+  const std::size_t parts = gains.observed.size();
   const auto best =
       static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
-  const double z = zOf(gains, samples);
-  return {z, upperTail(z, nulls.runs()), Distribution(rests).z(discrepancyOf(replay, world, held_out)),
-          samples > 1 ? zOf(gains, best) : z};
+  const double z = zOf(gains, parts);
+  return {.gain = std::accumulate(gains.observed.begin(), gains.observed.end(), 0.0),
+          .improvement_z = z,
+          .p_value = upperTail(z, rests.size()),
+          .rest_z = Distribution(rests).z(discrepancyOf(replay, world, held_out)),
+          .without_best_z = parts > 1 ? zOf(gains, best) : z};
+}
+
+Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls) {
+  return significanceOf(judge, candidate, nulls.gainsOf(worldOf(judge.replay, candidate.hypothesis, candidate.values)));
 }
 
 std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates) {
-  const NullRuns nulls(judge, {judge.split.held_out}, kRoughRuns);
+  const NullRuns nulls(judge.replay, {judge.split.held_out}, kRoughRuns);
   std::vector<double> improvements;
   for (const Candidate& candidate : candidates) {
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);

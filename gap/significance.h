@@ -11,6 +11,7 @@ namespace gap {
 /// Both worlds are simulated with the same random numbers, so what the candidate does not change cancels: small effects
 /// show that the sum over all cells would hide in its noise.
 struct Significance {
+  double gain = 0.0;           ///< of discrepancy, in nats; what fits worse may still stand out from chance
   double improvement_z = 0.0;  ///< of the gain of discrepancy, against measurements drawn from the baseline
   double p_value = 1.0;        ///< of such a gain by chance, of one candidate
   double rest_z = 0.0;         ///< of what is left, against measurements drawn from the candidate's own world
@@ -23,8 +24,8 @@ struct Significance {
 /// same for every world, so the baseline is compared with each of them once.
 class NullRuns {
  public:
-  /// `parts`: of the held-out evidence, whose gains are wanted each by itself.
-  NullRuns(const Judge& judge, std::vector<Evidence> parts, std::size_t runs);
+  /// `parts`: evidence whose gains are wanted each by itself; not empty, all of one seed.
+  NullRuns(const Replay& replay, std::vector<Evidence> parts, std::size_t runs);
 
   /// In nats, of each part.
   struct Gains {
@@ -33,17 +34,23 @@ class NullRuns {
   };
   [[nodiscard]] Gains gainsOf(const World& world) const;
   [[nodiscard]] std::size_t runs() const noexcept { return without_.size(); }
-  [[nodiscard]] std::uint64_t seedOf(std::size_t run) const;
 
  private:
-  const Judge* judge_;
+  const Replay* replay_;
   std::vector<Evidence> parts_;
   std::vector<std::vector<double>> without_;  ///< discrepancy of the baseline in every run, of each part
 };
 
-/// As many runs as a verdict takes, sample by sample.
+/// Evidence of single samples.
+[[nodiscard]] std::vector<Evidence> bySample(const Evidence& evidence);
+/// Gains of more parts in the same runs.
+[[nodiscard]] NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more);
+
+/// As many runs as a verdict takes, on the held-out samples.
 [[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
-[[nodiscard]] Significance significanceOf(const Judge& judge, const NullRuns& nulls, const Candidate& candidate);
+/// `gains` are those of the candidate's world.
+[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns::Gains& gains);
+[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls);
 
 /// The improvement_z of many candidates, from fewer measurements drawn: enough to see which to look at closely.
 [[nodiscard]] std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates);

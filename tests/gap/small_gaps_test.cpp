@@ -50,7 +50,7 @@ gap::Significance ofOffset(const gap::Replay& replay, double offset_m) {
   for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {"range-offset"}))
     if (hypothesis.name == "range-offset") candidate.hypothesis = hypothesis;
   candidate.values = {offset_m};
-  return gap::significanceOf(judge, gap::nullRunsOf(judge), candidate);
+  return gap::significanceOf(judge, candidate, gap::nullRunsOf(judge));
 }
 
 TEST(Significance, ASmallOffsetProvesItselfAndLeavesNothing) {
