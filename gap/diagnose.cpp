@@ -24,7 +24,8 @@ constexpr double kNearlyAllCells = 0.95;  // explained: the cause need not shrin
 constexpr double kPairBelief = 0.7;       // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.3;       // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.6;      // belief that no cause of the library is at work
+constexpr double kMostUnknown = 0.5;      // belief that no cause of the library is at work
+constexpr double kFramesBelief = 0.7;     // that it is none, where whole frames deviate together
 constexpr double kNoneBelief = 0.5;       // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMostOfTheGap = 0.5;     // gone without what moves whole frames: nothing else explains the gap
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
@@ -291,9 +292,8 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const bool none_could = decision.singles.empty() || decision.frames_move;
-    const double named = none_could ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
-    verdict.confidence = std::clamp(1.0 - named, 0.3, kMostUnknown);
+    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
+    verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.evidence = evidenceOf(judge, decision);
