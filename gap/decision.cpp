@@ -198,6 +198,25 @@ std::vector<Candidate> worthALook(const Judge& quick, const std::vector<Candidat
   return chosen;
 }
 
+/// Looks at causes one after the other, at the other samples as well where it may be worth it.
+class Proofs {
+ public:
+  Proofs(const Judge& quick, const Judge& exact) : quick_(quick), exact_(exact), nulls_(nullRunsOf(exact)) {}
+
+  [[nodiscard]] Significance of(const Candidate& candidate, const core::Progress& progress) {
+    const Significance held_out = significanceOf(exact_, candidate, nulls_);
+    if (held_out.improvement_z <= kWorthCrossing) return held_out;
+    if (!both_ways_) both_ways_.emplace(quick_, exact_, nulls_);
+    return both_ways_->applies(candidate) ? both_ways_->significanceOf(candidate, progress) : held_out;
+  }
+
+ private:
+  const Judge& quick_;
+  const Judge& exact_;
+  NullRuns nulls_;
+  std::optional<CrossFit> both_ways_;  ///< where any cause needs it
+};
+
 /// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
 void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                           const std::vector<WhereRow>& where, Decision& decision, const core::Progress& progress) {
@@ -209,15 +228,10 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
     return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
   };
-  const NullRuns nulls = nullRunsOf(exact);
-  std::optional<CrossFit> both_ways;
+  Proofs proofs(quick, exact);
   for (Candidate& candidate : worthALook(quick, decision.singles)) {
     core::stopIfCancelled(progress);
-    Significance significance = significanceOf(exact, candidate, nulls);
-    if (significance.improvement_z > kWorthCrossing) {
-      if (!both_ways) both_ways.emplace(quick, exact, nulls);
-      if (both_ways->applies(candidate)) significance = both_ways->significanceOf(candidate, progress);
-    }
+    const Significance significance = proofs.of(candidate, progress);
     const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
     if (!shown || !shrinks(candidate)) continue;
     exact.hear(candidate);
@@ -237,6 +251,49 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     if (other.hypothesis.name == best.hypothesis.name || decision.rivals.size() == kRivals) continue;
     const double z = z_of.at(formOf(best.hypothesis)), z_other = z_of.at(formOf(other.hypothesis));
     decision.rivals.push_back({other.hypothesis.name, separationOf(z * z - z_other * z_other, best, other)});
+  }
+}
+
+/// Noise of the share of the gap that a cause explains.
+double noiseOfShare(const Yardstick& yardstick) {
+  return std::sqrt(2.0) * yardstick.perfect_spread / yardstick.whole();
+}
+
+/// The share of the gap that a cause must account for to be named.
+double enoughToName(const Yardstick& yardstick) {
+  return std::max(kWeakGap, kAccountsFor - 2.0 * noiseOfShare(yardstick));
+}
+
+/// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
+bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where,
+                Decision& decision, core::Progress& progress) {
+  const double noise = noiseOfShare(exact.yardstick);
+  if (!roomForASecond(leftBy(decision.singles.front()), noise)) return false;
+  core::PartOfProgress part(progress, 0.6, 0.85);
+  std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, part);
+  learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
+  polish(exact, gaps, pairs, where, progress);
+  if (pairs.empty() || exact.accountedFor(pairs.front()) < enoughToName(exact.yardstick)) return false;
+  const Candidate &pair = pairs.front(), &best = decision.singles.front();
+  const bool earned = earnsItsSecond(leftBy(best), leftBy(pair), noise) && pair.total_left <= kMostRestOfPair &&
+                      separation(exact, pair, best) >= kSecondProven;
+  if (earned) decision.name(pair);
+  return earned;
+}
+
+/// Names the best single cause if it accounts for enough, or if nothing else is left.
+void nameTheBest(const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where, Decision& decision,
+                 const core::Progress& progress) {
+  const Candidate& best = decision.singles.front();
+  const bool explains = exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
+                        (best.explained >= kWeakGap &&
+                         nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
+  if (!explains) return;
+  if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
+    decision.name(*pair);
+  } else {
+    decision.name(best);
+    decision.rivals = rivalsOf(exact, decision.singles);
   }
 }
 
@@ -303,34 +360,8 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   if (!clear) {
     nameWhatProvesItself(quick, exact, gaps, where, decision, progress);
-    return decision;
-  }
-  const double noise = std::sqrt(2.0) * exact.yardstick.perfect_spread / exact.yardstick.whole();
-  const double enough = std::max(kWeakGap, kAccountsFor - 2.0 * noise);
-  if (roomForASecond(leftBy(decision.singles.front()), noise)) {
-    core::PartOfProgress second(progress, 0.6, 0.85);
-    std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, second);
-    learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
-    polish(exact, gaps, pairs, where, progress);
-    if (!pairs.empty() && exact.accountedFor(pairs.front()) >= enough) {
-      const Candidate &pair = pairs.front(), &best = decision.singles.front();
-      if (earnsItsSecond(leftBy(best), leftBy(pair), noise) && pair.total_left <= kMostRestOfPair &&
-          separation(exact, pair, best) >= kSecondProven) {
-        decision.name(pair);
-        return decision;
-      }
-    }
-  }
-  const Candidate& best = decision.singles.front();
-  const bool explains = exact.accountedFor(best) >= enough ||
-                        (best.explained >= kWeakGap &&
-                         nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
-  if (!explains) return decision;
-  if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
-    decision.name(*pair);
-  } else {
-    decision.name(best);
-    decision.rivals = rivalsOf(exact, decision.singles);
+  } else if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
+    nameTheBest(exact, gaps, where, decision, progress);
   }
   return decision;
 }
