@@ -281,11 +281,11 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   return earned;
 }
 
-/// Names the best single cause if it accounts for enough, or if nothing else is left.
+/// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
 void nameTheBest(const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where, Decision& decision,
                  const core::Progress& progress) {
   const Candidate& best = decision.singles.front();
-  const bool explains = exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
+  const bool explains = best.hypothesis.seen_in_values || exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   if (!explains) return;

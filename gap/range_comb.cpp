@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -33,6 +32,13 @@ double alignmentLeftBy(double rounding, double frequency) {
   return phase > 0.0 ? std::sin(phase) / phase : 1.0;
 }
 
+/// Of neighbours in a sorted list of two at least.
+std::vector<double> distancesIn(const std::vector<double>& sorted) {
+  std::vector<double> distances;
+  for (std::size_t i = 1; i < sorted.size(); ++i) distances.push_back(sorted[i] - sorted[i - 1]);
+  return distances;
+}
+
 std::vector<double> thinned(const std::vector<double>& values) {
   std::vector<double> some;
   const std::size_t stride = (values.size() + kMostValues - 1) / kMostValues;
@@ -48,8 +54,8 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   values.erase(std::unique(values.begin(), values.end(), [](double a, double b) { return b - a < kSame; }),
                values.end());
   if (values.size() < kFewest) return std::nullopt;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < values.size(); ++i) smallest = std::min(smallest, values[i] - values[i - 1]);
+  const std::vector<double> distances = distancesIn(values);
+  const double smallest = *std::min_element(distances.begin(), distances.end());
   const double finest = kCoarser * rounding;
   if (smallest < finest - kSame) return std::nullopt;
 
@@ -64,7 +70,11 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
     most = aligned;
     best = frequency;
   }
-  const double by_chance = (places + 1.0) * std::exp(-static_cast<double>(some.size()) * most * most);
+  // Noise that spreads values over neighbouring steps of a finer comb leaves one out at every second place at best.
+  const auto neighbours = std::count_if(distances.begin(), distances.end(),
+                                        [&](double distance) { return distance < smallest + 2.0 * rounding + kSame; });
+  const double by_chance = std::min(1.0, (places + 1.0) * std::exp(-static_cast<double>(some.size()) * most * most)) *
+                           std::exp2(-static_cast<double>(neighbours));
   if (most < kAligned * alignmentLeftBy(rounding, best) || by_chance > kByChance) return std::nullopt;
   const auto misaligned = [&](double frequency) { return -alignment(values, frequency); };
   const double place = 1.0 / turns;

@@ -15,8 +15,8 @@ struct Comb {
 
 /// The comb on which the values lie, but for rounding of so much to either side: sought about the smallest distance of
 /// two, where their periodogram is highest (Schuster 1898, Terr. Magn. 3, 13: n scattered values reach a mean cosine a
-/// by chance with exp(-n a²)). Nothing if they lie on none that is clearly coarser than the rounding, or reach too many
-/// steps far for it to be told. `values` need not be in order.
+/// by chance with exp(-n a²)) and neighbours lie one step apart. Nothing if they lie on none that is clearly coarser
+/// than the rounding, or reach too many steps far for it to be told. `values` need not be in order.
 [[nodiscard]] std::optional<Comb> combOf(std::vector<double> values, double rounding);
 
 /// The comb of all measured ranges, if it is coarser than the steps of the sensors' own profiles. [m]

@@ -39,6 +39,16 @@ TEST(RangeComb, TellsAStepThatTheProfilesOwnStepsBlur) {
   EXPECT_NEAR(comb->step, 0.0419, comb->uncertain);
 }
 
+// Eight targets, three steps of 0.0482 m each: too few to be aligned by more than chance, but none lies between.
+TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
+  std::vector<double> values;
+  for (const int first : {178, 229, 271, 366, 455, 556, 650, 811})
+    for (int step = 0; step < 3; ++step) values.push_back(rounded(0.0482 * (first + step), 0.02));
+  const auto comb = gap::combOf(values, 0.01);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.0482, 2.0 * comb->uncertain);
+}
+
 TEST(RangeComb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
   core::Random random({.seed = 11});
   std::vector<double> values{4.0};
