@@ -59,6 +59,10 @@ double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
 
 HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples, std::uint64_t seed)
     : replay_(replay), samples_(std::move(samples)), seed_(seed), draws_(kResamples) {
+  for (const std::size_t index : samples_) {
+    const ReplaySample& sample = replay.samples()[index];
+    cells_.push_back(sample.layout->cellsOf(sample.measured, sample.beam_of));
+  }
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
   gaps_before_ = gapsTo(baseline);
   before_ = meanOf(gaps_before_);
@@ -113,18 +117,42 @@ HeldOutGaps::Drawn HeldOutGaps::drawn(std::size_t number) const {
   core::Random random(
       {.seed = seed_, .frame = static_cast<std::uint32_t>(number), .purpose = core::purposeOf("bootstrap")});
   Drawn drawn;
+  std::map<std::pair<std::string, std::string>, double> of_setups;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     drawn.samples.push_back(random.below(static_cast<std::uint32_t>(samples_.size())));
-    drawn.frames.push_back(resampledFrames(replay_.samples()[samples_[drawn.samples.back()]].frames, random));
+    const ReplaySample& sample = replay_.samples()[samples_[drawn.samples.back()]];
+    drawn.frames.push_back(resampledFrames(sample.frames, random));
+    drawn.offsets.emplace_back();
+    for (const Tolerance& tolerance : sample.tolerances) {
+      const auto [offset, unseen] = of_setups.try_emplace({sample.sample->setup, tolerance.pointer});
+      const double stddev = (tolerance.high - tolerance.low) / std::sqrt(12.0);
+      if (unseen) offset->second = std::clamp(stddev * random.normal(), tolerance.low, tolerance.high);
+      drawn.offsets.back().push_back(offset->second);
+    }
   }
   return drawn;
+}
+
+core::Detections HeldOutGaps::movedBy(const std::vector<double>& offsets, std::size_t place) const {
+  const ReplaySample& sample = replay_.samples()[samples_[place]];
+  core::Detections moved = sample.measured;
+  for (std::size_t t = 0; t < offsets.size(); ++t) {
+    const std::vector<float>& range_per_unit = sample.tolerances[t].range_per_unit;
+    for (std::size_t d = 0; d < moved.size(); ++d) {
+      const std::size_t cell = cells_[place][d];
+      if (cell < range_per_unit.size() && std::isfinite(range_per_unit[cell]))
+        moved.range_m[d] += offsets[t] * static_cast<double>(range_per_unit[cell]);
+    }
+  }
+  return moved;
 }
 
 TotalGap HeldOutGaps::gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const {
   std::vector<TotalGap> gaps;
   for (std::size_t k = 0; k < drawn.samples.size(); ++k) {
     const ReplaySample& sample = replay_.samples()[samples_[drawn.samples[k]]];
-    gaps.push_back(totalGap(replay_.experiment().measurands, framesOf(sample.measured, drawn.frames[k]),
+    const core::Detections measured = movedBy(drawn.offsets[k], drawn.samples[k]);
+    gaps.push_back(totalGap(replay_.experiment().measurands, framesOf(measured, drawn.frames[k]),
                             simulated[drawn.samples[k]], sample.frames));
   }
   return meanOf(gaps);

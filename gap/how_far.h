@@ -10,7 +10,7 @@ namespace gap {
 /// The total gap with a cause added, and how much of it is gone.
 struct After {
   TotalGap gap;
-  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups) and their frames
+  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups), frames and references
   std::vector<SampleTotals> samples;
 };
 
@@ -36,13 +36,17 @@ class HeldOutGaps {
   [[nodiscard]] After with(const World& world, const core::Progress& progress) const;
 
  private:
-  /// One draw of samples and frames, with replacement.
+  /// One draw of samples and frames, with replacement, of set-ups whose references stand elsewhere within what is
+  /// recorded of them.
   struct Drawn {
-    std::vector<std::size_t> samples;      ///< places in `samples_`
-    std::vector<std::vector<int>> frames;  ///< of each
+    std::vector<std::size_t> samples;          ///< places in `samples_`
+    std::vector<std::vector<int>> frames;      ///< of each
+    std::vector<std::vector<double>> offsets;  ///< of each, one a tolerance (ReplaySample::tolerances)
     TotalGap before;
   };
   [[nodiscard]] Drawn drawn(std::size_t number) const;
+  /// The measurement of a sample if its references stood so much elsewhere: ranges move to first order.
+  [[nodiscard]] core::Detections movedBy(const std::vector<double>& offsets, std::size_t place) const;
   [[nodiscard]] TotalGap gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const;
   [[nodiscard]] std::vector<core::Detections> simulated(const World& world, std::uint64_t seed) const;
   [[nodiscard]] std::vector<TotalGap> gapsTo(const std::vector<core::Detections>& simulated) const;
@@ -52,6 +56,7 @@ class HeldOutGaps {
   const Replay& replay_;
   std::vector<std::size_t> samples_;
   std::uint64_t seed_;
+  std::vector<std::vector<std::size_t>> cells_;  ///< of every measured detection, by sample
   std::vector<TotalGap> gaps_before_;
   TotalGap before_;
   double noise_ = 0.0;  ///< of the model as it was brought

@@ -42,4 +42,14 @@ TEST(HowFar, ARepetitionOfTheMeasurementFindsTheShrinkWithinTheIntervalNineTimes
   EXPECT_LE(above, 5);  // an interval that only reaches down would not do
 }
 
+// The wall may stand 5 cm nearer or farther in the next recording, which is three times the noise of the range.
+TEST(HowFar, AReferenceThatIsHardlyKnownMakesTheShrinkLessCertain) {
+  const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 20000}}}});
+  SmallWorld world;
+  const gap::Shrink surveyed = shrinkByFog(world.measuredBy(truth, 0.4), 20000);
+  const gap::Shrink paced = shrinkByFog(world.knownToWithin(0.05).measuredBy(truth, 0.4), 20000);
+  EXPECT_DOUBLE_EQ(paced.fraction, surveyed.fraction);
+  EXPECT_GT(paced.interval.high - paced.interval.low, 1.5 * (surveyed.interval.high - surveyed.interval.low));
+}
+
 }  // namespace
