@@ -349,6 +349,15 @@ std::vector<std::string> Decision::names() const {
   return effects.empty() ? all : effects;
 }
 
+std::vector<std::string> Decision::beside() const {
+  std::vector<std::string> others;
+  if (!pair()) return others;
+  const std::vector<std::string> named = names();
+  for (const Hypothesis& member : winner->hypothesis.members)
+    if (std::find(named.begin(), named.end(), member.name) == named.end()) others.push_back(member.name);
+  return others;
+}
+
 Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
                 const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
                 core::Progress& progress) {

@@ -34,6 +34,8 @@ struct Decision {
   void name(const Candidate& candidate);
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
   [[nodiscard]] std::vector<std::string> names() const;
+  /// The members of a pair that it does not name.
+  [[nodiscard]] std::vector<std::string> beside() const;
 };
 
 /// Fits and judges every hypothesis alone; in pairs as long as something material is left that the best one does not

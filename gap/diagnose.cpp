@@ -285,6 +285,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();
+    verdict.beside = decision.beside();
     verdict.confidence = diagnosis.causes.front().confidence;
     verdict.indistinguishable_from = decision.ties();
     if (verdict.indistinguishable_from.size() == 1)

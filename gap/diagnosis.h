@@ -106,6 +106,8 @@ struct Verdict {
   double confidence = 0.0;
   std::vector<std::string> indistinguishable_from;
   VerdictEvidence evidence;
+  /// Numbers and references that were fitted together with the effects named: part of the shrink is theirs.
+  std::vector<std::string> beside;
   bool frames_move = false;  ///< `unknown`, for all detections of a frame deviate together and no cause does that
   std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;

@@ -93,6 +93,7 @@ std::string evidenceText(const Diagnosis& diagnosis) {
 }
 
 std::string shrinkText(const Diagnosis& diagnosis) {
+  const std::vector<std::string>& beside = diagnosis.verdict.beside;
   if (diagnosis.shrink.fraction <= 0.0)
     return fmt::format(
         "Not at all, pooled over all beams: {} before, {} after. Beam by beam the simulation with the cause agrees "
@@ -100,10 +101,11 @@ std::string shrinkText(const Diagnosis& diagnosis) {
         "samples that the fit never saw; pooled data hide what evens out between beams.",
         core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));
   return fmt::format(
-      "By {} (90 % interval {}), from {} to {}, on samples that the fit never saw. 100 % would be perfect agreement, "
+      "By {} (90 % interval {}), from {} to {}, on samples that the fit never saw{}. 100 % would be perfect agreement, "
       "which noise does not allow.",
       percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
-      core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));
+      core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
+      beside.empty() ? "" : fmt::format(", with the {} corrected as well", causeTitle(diagnosis, beside.front())));
 }
 
 /// What is left, where there is no gap to speak of.
