@@ -20,26 +20,21 @@ Split exchanged(const Split& split) {
 
 }  // namespace
 
-CrossFit::CrossFit(const Judge& quick, const Judge& exact, const NullRuns& nulls)
+CrossFit::CrossFit(const Judge& quick, const Judge& exact, std::size_t runs)
     : quick_(quick),
       exact_(exact),
-      nulls_(nulls),
       exchanged_(exchanged(exact.split)),
-      exchanged_nulls_(exact.replay, bySample(exchanged_.held_out), nulls.runs()) {}
+      nulls_(exact.replay, bySample(exchanged_.held_out), runs) {}
 
-bool CrossFit::applies(const Candidate& candidate) const {
-  return !exact_.split.weak && !candidate.hypothesis.per_setup;
+bool CrossFit::applies(const Judge& judge, const Hypothesis& hypothesis) {
+  return !judge.split.weak && !hypothesis.per_setup;
 }
 
-Significance CrossFit::significanceOf(const Candidate& candidate, const core::Progress& progress) const {
-  const Hypothesis& hypothesis = candidate.hypothesis;
-  const Split few = exchanged(quick_.split);
-  std::vector<double> values = scout(quick_.replay, hypothesis, few.fitted, {}, progress).values;
-  values = fitFrom(quick_.replay, hypothesis, few.fitted, values, progress);
+NullRuns::Gains CrossFit::gainsOf(const Hypothesis& hypothesis, const core::Progress& progress) const {
+  std::vector<double> values = scout(quick_.replay, hypothesis, exchanged_.fitted, {}, progress).values;
+  values = fitFrom(quick_.replay, hypothesis, exchanged_.fitted, values, progress);
   values = refine(exact_.replay, hypothesis, exchanged_.refined, values, progress);
-  return gap::significanceOf(exact_, candidate,
-                             joined(nulls_.gainsOf(worldOf(exact_.replay, hypothesis, candidate.values)),
-                                    exchanged_nulls_.gainsOf(worldOf(exact_.replay, hypothesis, values))));
+  return nulls_.gainsOf(worldOf(exact_.replay, hypothesis, values));
 }
 
 }  // namespace gap

@@ -11,19 +11,19 @@ namespace gap {
 /// 2ab/sqrt(a² + b²), which is standard normal if a and b are.
 class CrossFit {
  public:
-  /// `nulls` are those of `exact` as it is. `quick` sees some of the beams and finds the values to begin with.
-  CrossFit(const Judge& quick, const Judge& exact, const NullRuns& nulls);
+  /// `quick` sees some of the beams and finds the values to begin with; `runs` of the null.
+  CrossFit(const Judge& quick, const Judge& exact, std::size_t runs);
 
-  /// Whether a candidate can be fitted to some samples and judged by others at all.
-  [[nodiscard]] bool applies(const Candidate& candidate) const;
-  [[nodiscard]] Significance significanceOf(const Candidate& candidate, const core::Progress& progress) const;
+  /// Whether a hypothesis can be fitted to some samples and judged by others at all.
+  [[nodiscard]] static bool applies(const Judge& judge, const Hypothesis& hypothesis);
+  /// What the hypothesis gains on the samples that were fitted, itself fitted to those that were held out.
+  [[nodiscard]] NullRuns::Gains gainsOf(const Hypothesis& hypothesis, const core::Progress& progress) const;
 
  private:
   const Judge& quick_;
   const Judge& exact_;
-  const NullRuns& nulls_;
   Split exchanged_;
-  NullRuns exchanged_nulls_;
+  NullRuns nulls_;
 };
 
 }  // namespace gap

@@ -170,9 +170,8 @@ std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOut
   const auto seen = std::find_if(singles.begin(), singles.end(),
                                  [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
   if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return std::nullopt;
-  std::vector<Candidate> pair{{.hypothesis = together(best.hypothesis, seen->hypothesis), .values = best.values}};
-  std::vector<double>& values = pair.front().values;
-  values.insert(values.end(), seen->values.begin(), seen->values.end());
+  std::vector<Candidate> pair{
+      {.hypothesis = together(best.hypothesis, seen->hypothesis), .values = joined(best.values, seen->values)}};
   polish(judge, gaps, pair, where, progress);
   const LeftOver alone = leftBy(best), both = leftBy(pair.front());
   const bool harms = both.discrepancy > alone.discrepancy + kMaterialCells || both.total > kMostRestOfPair;
@@ -204,17 +203,20 @@ class Proofs {
   Proofs(const Judge& quick, const Judge& exact) : quick_(quick), exact_(exact), nulls_(nullRunsOf(exact)) {}
 
   [[nodiscard]] Significance of(const Candidate& candidate, const core::Progress& progress) {
-    const Significance held_out = significanceOf(exact_, candidate, nulls_);
-    if (held_out.improvement_z <= kWorthCrossing) return held_out;
-    if (!both_ways_) both_ways_.emplace(quick_, exact_, nulls_);
-    return both_ways_->applies(candidate) ? both_ways_->significanceOf(candidate, progress) : held_out;
+    const Hypothesis& hypothesis = candidate.hypothesis;
+    const World world = worldOf(exact_.replay, hypothesis, candidate.values);
+    const NullRuns::Gains gains = nulls_.gainsOf(world);
+    const Significance held_out = significanceOf(gains, restOf(exact_, world, nulls_.runs()));
+    if (held_out.improvement_z <= kWorthCrossing || !CrossFit::applies(exact_, hypothesis)) return held_out;
+    if (!others_) others_.emplace(quick_, exact_, nulls_.runs());
+    return significanceOf(joined(gains, others_->gainsOf(hypothesis, progress)), held_out.rest_z);
   }
 
  private:
   const Judge& quick_;
   const Judge& exact_;
   NullRuns nulls_;
-  std::optional<CrossFit> both_ways_;  ///< where any cause needs it
+  std::optional<CrossFit> others_;  ///< the samples that were fitted, where any cause needs them
 };
 
 /// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.

@@ -145,8 +145,7 @@ std::string sentenceOf(const FrameMode& mode) {
   return fmt::format(
       "All detections of a frame deviate together, in {} by {:.3g} {} (standard deviation over the frames): the frames "
       "of a sample do not repeat each other. No cause that was tried does that; look for what moves, drifts or "
-      "alternates "
-      "between frames.",
+      "alternates between frames.",
       measurandTitle(nameOf(mode.channel)), mode.stddev, mode.channel == kIntensity ? "nW" : "m");
 }
 

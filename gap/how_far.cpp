@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "gap/settle.h"
 
 namespace gap {
 
@@ -125,15 +126,14 @@ HeldOutGaps::Drawn HeldOutGaps::drawn(std::size_t number) const {
     drawn.offsets.emplace_back();
     for (const Tolerance& tolerance : sample.tolerances) {
       const auto [offset, unseen] = of_setups.try_emplace({sample.sample->setup, tolerance.pointer});
-      const double stddev = (tolerance.high - tolerance.low) / std::sqrt(12.0);
-      if (unseen) offset->second = std::clamp(stddev * random.normal(), tolerance.low, tolerance.high);
+      if (unseen) offset->second = drawnOffset(tolerance, random);
       drawn.offsets.back().push_back(offset->second);
     }
   }
   return drawn;
 }
 
-core::Detections HeldOutGaps::movedBy(const std::vector<double>& offsets, std::size_t place) const {
+core::Detections HeldOutGaps::measuredAt(const std::vector<double>& offsets, std::size_t place) const {
   const ReplaySample& sample = replay_.samples()[samples_[place]];
   core::Detections moved = sample.measured;
   for (std::size_t t = 0; t < offsets.size(); ++t) {
@@ -151,7 +151,7 @@ TotalGap HeldOutGaps::gapOf(const Drawn& drawn, const std::vector<core::Detectio
   std::vector<TotalGap> gaps;
   for (std::size_t k = 0; k < drawn.samples.size(); ++k) {
     const ReplaySample& sample = replay_.samples()[samples_[drawn.samples[k]]];
-    const core::Detections measured = movedBy(drawn.offsets[k], drawn.samples[k]);
+    const core::Detections measured = measuredAt(drawn.offsets[k], drawn.samples[k]);
     gaps.push_back(totalGap(replay_.experiment().measurands, framesOf(measured, drawn.frames[k]),
                             simulated[drawn.samples[k]], sample.frames));
   }

@@ -45,8 +45,9 @@ class HeldOutGaps {
     TotalGap before;
   };
   [[nodiscard]] Drawn drawn(std::size_t number) const;
-  /// The measurement of a sample if its references stood so much elsewhere: ranges move to first order.
-  [[nodiscard]] core::Detections movedBy(const std::vector<double>& offsets, std::size_t place) const;
+  /// The measurement of a sample if its references stood so much elsewhere: ranges move to first order. Of all draws at
+  /// once they would take gigabytes, so they are made anew for every world.
+  [[nodiscard]] core::Detections measuredAt(const std::vector<double>& offsets, std::size_t place) const;
   [[nodiscard]] TotalGap gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const;
   [[nodiscard]] std::vector<core::Detections> simulated(const World& world, std::uint64_t seed) const;
   [[nodiscard]] std::vector<TotalGap> gapsTo(const std::vector<core::Detections>& simulated) const;

@@ -418,4 +418,9 @@ Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
   return both;
 }
 
+std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 }  // namespace gap

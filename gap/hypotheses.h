@@ -51,7 +51,8 @@ using Form = std::tuple<std::string, std::string, std::vector<std::string>>;
 /// that is no error of the reference, and every hypothesis may settle there (settle.h).
 [[nodiscard]] bool asRecorded(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);
 
-/// Both at once.
+/// Both at once; its values are those of one after those of the other.
 [[nodiscard]] Hypothesis together(const Hypothesis& a, const Hypothesis& b);
+[[nodiscard]] std::vector<double> joined(std::vector<double> a, const std::vector<double>& b);
 
 }  // namespace gap

@@ -172,10 +172,6 @@ class PairSearch {
     return nearestOf(std::move(guesses), kPartnersFitted);
   }
 
-  [[nodiscard]] static std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
   [[nodiscard]] static std::vector<Guess> nearestOf(std::vector<Guess> guesses, std::size_t count) {
     std::stable_sort(guesses.begin(), guesses.end(),
                      [](const Guess& a, const Guess& b) { return a.distance < b.distance; });

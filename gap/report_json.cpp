@@ -172,6 +172,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                  {"verdict",
                   {{"kind", toString(diagnosis.verdict.kind)},
                    {"names", diagnosis.verdict.names},
+                   {"beside", diagnosis.verdict.beside},
                    {"confidence", diagnosis.verdict.confidence},
                    {"indistinguishable_from", diagnosis.verdict.indistinguishable_from},
                    {"evidence", toJson(diagnosis.verdict.evidence)},

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/physics.h"
-#include "core/random.h"
 #include "gap/discrepancy.h"
 
 namespace gap {
@@ -27,16 +26,20 @@ bool movedBy(const World& world, const std::string& pointer) {
                      [&](const ReferenceOffset& reference) { return reference.pointer == pointer; });
 }
 
+double varianceOf(const Tolerance& tolerance) {
+  const double width = tolerance.high - tolerance.low;
+  return width * width / 12.0;
+}
+
 std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::span<Comparison> comparisons) {
   std::map<std::pair<std::string, std::string>, Offset> offsets;
   for (Comparison& comparison : comparisons) {
     const ReplaySample& sample = replay.samples()[comparison.sample];
     for (const Tolerance& tolerance : sample.tolerances) {
       if (movedBy(world, tolerance.pointer)) continue;
-      const double width = tolerance.high - tolerance.low;
       const auto known = offsets
                              .try_emplace({sample.sample->setup, tolerance.pointer},
-                                          Offset{tolerance.low, tolerance.high, width * width / 12.0, 0.0, {}})
+                                          Offset{tolerance.low, tolerance.high, varianceOf(tolerance), 0.0, {}})
                              .first;
       known->second.moves.emplace_back(&comparison, &tolerance);
     }
@@ -110,12 +113,15 @@ double settle(const Replay& replay, const World& world, std::span<Comparison> co
   return price;
 }
 
+double drawnOffset(const Tolerance& tolerance, core::Random& random) {
+  return std::clamp(std::sqrt(varianceOf(tolerance)) * random.normal(), tolerance.low, tolerance.high);
+}
+
 void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed) {
   std::uint32_t number = 0;
   for (const Offset& offset : offsetsOf(replay, world, comparisons)) {
     core::Random random({.seed = seed, .frame = number++, .purpose = core::purposeOf("reference")});
-    const double by = std::clamp(std::sqrt(offset.variance) * random.normal(), offset.low, offset.high);
-    move(replay, offset, by);
+    move(replay, offset, drawnOffset(*offset.moves.front().second, random));
   }
 }
 

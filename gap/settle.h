@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/random.h"
 #include "gap/comparison.h"
 #include "gap/replay.h"
 
@@ -15,8 +16,11 @@ namespace gap {
 /// intensities and echo pulse widths move to first order.
 double settle(const Replay& replay, const World& world, std::span<Comparison> comparisons, Part part);
 
-/// Moves the simulated surfaces as the reference may have stood: by offsets drawn at random from the same distribution,
-/// one for the samples of a set-up.
+/// Where a quantity stands, within what is recorded of it, in a world drawn at random from the same distribution.
+[[nodiscard]] double drawnOffset(const Tolerance& tolerance, core::Random& random);
+
+/// Moves the simulated surfaces as the reference may have stood: by drawn offsets, one for the samples of a
+/// set-up.
 void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed);
 
 }  // namespace gap

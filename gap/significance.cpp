@@ -75,27 +75,30 @@ NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more) {
 
 NullRuns nullRunsOf(const Judge& judge) { return {judge.replay, bySample(judge.split.held_out), kRuns}; }
 
-Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns::Gains& gains) {
-  const Replay& replay = judge.replay;
+double restOf(const Judge& judge, const World& world, std::size_t runs) {
   const Evidence& held_out = judge.split.held_out;
-  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  std::vector<double> rests(gains.by_chance.size());
-  core::parallelFor(rests.size(), 1, [&](std::size_t run, std::size_t) {
-    rests[run] = discrepancyIn(replay, world, world, held_out, seedOf(held_out, run));
+  std::vector<double> rests(runs);
+  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
+    rests[run] = discrepancyIn(judge.replay, world, world, held_out, seedOf(held_out, run));
   });
+  return Distribution(rests).z(discrepancyOf(judge.replay, world, held_out));
+}
+
+Significance significanceOf(const NullRuns::Gains& gains, double rest_z) {
   const std::size_t parts = gains.observed.size();
   const auto best =
       static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
   const double z = zOf(gains, parts);
   return {.gain = std::accumulate(gains.observed.begin(), gains.observed.end(), 0.0),
           .improvement_z = z,
-          .p_value = upperTail(z, rests.size()),
-          .rest_z = Distribution(rests).z(discrepancyOf(replay, world, held_out)),
+          .p_value = upperTail(z, gains.by_chance.size()),
+          .rest_z = rest_z,
           .without_best_z = parts > 1 ? zOf(gains, best) : z};
 }
 
 Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls) {
-  return significanceOf(judge, candidate, nulls.gainsOf(worldOf(judge.replay, candidate.hypothesis, candidate.values)));
+  const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
+  return significanceOf(nulls.gainsOf(world), restOf(judge, world, nulls.runs()));
 }
 
 std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates) {

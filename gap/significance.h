@@ -48,8 +48,9 @@ class NullRuns {
 
 /// As many runs as a verdict takes, on the held-out samples.
 [[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
-/// `gains` are those of the candidate's world.
-[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns::Gains& gains);
+/// What is left by a world on held-out data, against as many measurements drawn from itself.
+[[nodiscard]] double restOf(const Judge& judge, const World& world, std::size_t runs);
+[[nodiscard]] Significance significanceOf(const NullRuns::Gains& gains, double rest_z);
 [[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls);
 
 /// The improvement_z of many candidates, from fewer measurements drawn: enough to see which to look at closely.

@@ -121,7 +121,8 @@ def diagnose(home, bin_folder, program_key, time_limit_s=300, variant="full"):
 def believed(experiment, report, better, baseline):
     """(experiment, model) as the first verdict says that they are: the model that it wrote, and the values that it fitted."""
     offsets, experiment, model = {}, copy.deepcopy(experiment), copy.deepcopy(better or baseline)
-    for name in report["verdict"].get("names", []):
+    verdict = report["verdict"]
+    for name in verdict.get("names", []) + verdict.get("beside", []):
         cause = next((c for c in report["causes"] if name in (c.get("name"), *c.get("names", []))), None)
         if not cause or cause["kind"] == "effect":
             continue

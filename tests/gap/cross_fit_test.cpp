@@ -24,10 +24,12 @@ Proof proofOfOffset(const model::Experiment& measured) {
     if (hypothesis.name == "range-offset") candidate.hypothesis = hypothesis;
   const core::SilentProgress progress;
   candidate.values = gap::refine(replay, candidate.hypothesis, split.refined, {0.0}, progress);
+  EXPECT_TRUE(gap::CrossFit::applies(judge, candidate.hypothesis));
   const gap::NullRuns nulls = gap::nullRunsOf(judge);
-  const gap::CrossFit cross(judge, judge, nulls);
-  EXPECT_TRUE(cross.applies(candidate));
-  return {gap::significanceOf(judge, candidate, nulls), cross.significanceOf(candidate, progress)};
+  const gap::NullRuns::Gains gains = nulls.gainsOf(gap::worldOf(replay, candidate.hypothesis, candidate.values));
+  const gap::CrossFit others(judge, judge, nulls.runs());
+  return {gap::significanceOf(gains, 0.0),
+          gap::significanceOf(gap::joined(gains, others.gainsOf(candidate.hypothesis, progress)), 0.0)};
 }
 
 // Two samples are held out, four are not: three times the data, so up to 1.7 times the standard score.

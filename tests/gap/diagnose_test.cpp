@@ -102,10 +102,12 @@ TEST(Diagnose, FindsAnEffectThatARecalibratedEmitterHides) {
       diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 38}}));
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kEffect);
   EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-attenuation"});
-  // Part of the shrink is the power's, or that of the wall's reflectivity, which is the same here: the sentence says
-  // so.
+  // Part of the shrink is the power's, or that of the wall's reflectivity, which is the same here.
   ASSERT_EQ(diagnosis.verdict.beside.size(), 1U);
   EXPECT_NE(diagnosis.verdict.text.find("and " + diagnosis.verdict.beside.front() + " corrected"), std::string::npos);
+  const auto report = gap::reportJson(diagnosis);
+  ASSERT_EQ(report["verdict"]["beside"].size(), 1U);
+  EXPECT_EQ(report["verdict"]["beside"][0], report["causes"][1]["name"]) << "its value and interval are told, too";
 }
 
 TEST(Diagnose, SaysParameterWhereTheEchoPulseWidthScattersMoreThanItsProfile) {
