@@ -26,12 +26,13 @@ constexpr double kWeakBelief = 0.75;      // of the belief, if no whole sample c
 constexpr double kLeastNamed = 0.3;       // of a cause that is named because nothing else is left: it explains little
 constexpr double kMostUnknown = 0.5;      // belief that no cause of the library is at work
 constexpr double kFramesBelief = 0.7;     // that it is none, where whole frames deviate together
-constexpr double kNoneBelief = 0.5;       // that nothing is missing, where nothing is seen: weak causes are not
-constexpr double kMostOfTheGap = 0.5;     // gone without what moves whole frames: nothing else explains the gap
-constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
-constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
-constexpr double kMostExplained = 10.0;   // said of a share: where there is next to nothing to explain, it says nothing
-constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
+constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
+constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
+constexpr double kMuchClearer = 3.0;   // so much more must one part of the samples show than the other
+constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
+constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
+constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
 /// more.
@@ -112,16 +113,16 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
 }
 
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
-void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, Diagnosis& diagnosis,
-                const core::Progress& progress) {
+void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, bool frames_deviate,
+                Diagnosis& diagnosis, const core::Progress& progress) {
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = judge.replay.samples().front().layout->pooled();
-  const double least = judge.split.weak || pooled ? kWeakBelief : 1.0;
+  const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0);
   const double named = decision.winner ? kLeastNamed : 0.0;
   const auto beliefOf = [&](const Candidate& candidate) {
     const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
-    return least * std::max(named, beliefIn(accounted_for));
+    return most * std::max(named, beliefIn(accounted_for));
   };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
@@ -358,7 +359,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   if (given.external)
     diagnosis.approximation =
         approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);
-  fillCauses(exact, gaps, decision, diagnosis, progress);
+  fillCauses(exact, gaps, decision, frames.has_value(), diagnosis, progress);
   if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, decision, diagnosis);

@@ -178,32 +178,39 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
   }
 }
 
-/// An uneven gain of the layers has the pattern that the data show; how strong it is, is fitted. The gains of all
-/// layers would be as many numbers as there are layers. Every sensor has its own.
+/// An uneven gain of the layers has the pattern that the data of some sensors show; how strong it is, is fitted. The
+/// gains of all layers would be as many numbers as there are layers.
+void addPattern(const Replay& replay, const model::EffectInfo& info, const std::vector<std::string>& seen_by,
+                const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
+  std::vector<double> pattern = layerGains(replay, seen_by);
+  double squares = 0.0;
+  for (double& gain : pattern) {
+    gain -= 1.0;
+    squares += gain * gain;
+  }
+  if (squares <= 0.0) return;
+  const double stddev = std::sqrt(squares / static_cast<double>(pattern.size()));
+  for (double& deviation : pattern) deviation /= stddev;
+  Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
+  hypothesis.sensors = sensors;
+  hypothesis.parameters.front().start = std::min(stddev, hypothesis.parameters.front().high);
+  hypothesis.apply = [pattern, sensors](World& world, const std::vector<double>& values) {
+    model::ActiveEffect uneven{kUnevenLayers, {}, sensors};
+    for (const double deviation : pattern)
+      uneven.parameters.lists["gain_per_layer"].push_back(std::max(0.05, 1.0 + values[0] * deviation));
+    world.model = model::withEffect(world.model, uneven);
+  };
+  list.push_back(std::move(hypothesis));
+}
+
+/// Of all sensors together, and of every part of them, each with its own pattern.
 void addPatterns(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
   const model::EffectInfo& info = model::findEffect(kUnevenLayers)->info;
   if (!considered(replay, info.name, only)) return;
-  for (const auto& [sensor, profile] : replay.baseline().model.sensors) {
-    std::vector<double> pattern = layerGains(replay, sensor);
-    double squares = 0.0;
-    for (double& gain : pattern) {
-      gain -= 1.0;
-      squares += gain * gain;
-    }
-    if (squares <= 0.0) continue;
-    const double stddev = std::sqrt(squares / static_cast<double>(pattern.size()));
-    for (double& deviation : pattern) deviation /= stddev;
-    Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
-    if (!sensor.empty()) hypothesis.sensors = {sensor};
-    hypothesis.parameters.front().start = std::min(stddev, hypothesis.parameters.front().high);
-    hypothesis.apply = [pattern, sensors = hypothesis.sensors](World& world, const std::vector<double>& values) {
-      model::ActiveEffect uneven{kUnevenLayers, {}, sensors};
-      for (const double deviation : pattern)
-        uneven.parameters.lists["gain_per_layer"].push_back(std::max(0.05, 1.0 + values[0] * deviation));
-      world.model = model::withEffect(world.model, uneven);
-    };
-    list.push_back(std::move(hypothesis));
-  }
+  const std::vector<std::string>& sensors = replay.experiment().sensors;
+  addPattern(replay, info, sensors.empty() ? std::vector<std::string>{""} : sensors, {}, list);
+  if (sensors.size() < 2) return;
+  for (const auto& part : partsOf(sensors)) addPattern(replay, info, part, part, list);
 }
 
 /// A number of the model file that is wrong; `value` says its unit, range and what is recorded.

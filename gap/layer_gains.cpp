@@ -19,31 +19,41 @@ double logRatio(const CellStatistics& measured, const CellStatistics& simulated,
   return channel == kIntensity ? std::log(m / s) : std::log(2.0) * (m * m - s * s) / (pulse_m * pulse_m);
 }
 
-std::vector<std::size_t> samplesOf(const Replay& replay, const std::string& sensor, bool held_out) {
+std::vector<std::size_t> samplesOf(const Replay& replay, const std::vector<std::string>& sensors, bool held_out) {
   std::vector<std::size_t> samples;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const model::Sample& sample = *replay.samples()[s].sample;
-    if (sample.sensor != sensor || replay.samples()[s].layout->pooled()) continue;
+    const bool by_one_of_them = std::find(sensors.begin(), sensors.end(), sample.sensor) != sensors.end();
+    if (!by_one_of_them || replay.samples()[s].layout->pooled()) continue;
     if (held_out == (sample.role == model::Role::kPrediction)) samples.push_back(s);
   }
   return samples;
 }
 
+/// How many layers each of the sensors has; 0 if not all have as many.
+std::size_t layersOf(const Replay& replay, const std::vector<std::string>& sensors) {
+  const auto of = [&](const std::string& sensor) { return replay.baseline().model.sensor(sensor).scan.layers.size(); };
+  const std::size_t layers = of(sensors.front());
+  const bool alike = std::all_of(sensors.begin(), sensors.end(), [&](const std::string& s) { return of(s) == layers; });
+  return alike ? layers : 0;
+}
+
 }  // namespace
 
-std::vector<double> layerGains(const Replay& replay, const std::string& sensor) {
-  const model::SensorProfile& profile = replay.baseline().model.sensor(sensor);
+std::vector<double> layerGains(const Replay& replay, const std::vector<std::string>& sensors) {
+  const std::size_t layers = layersOf(replay, sensors);
   const auto& channels = replay.channels();
   const auto measured = [&](Channel c) { return std::find(channels.begin(), channels.end(), c) != channels.end(); };
-  if (profile.scan.layers.size() < 2 || (!measured(kIntensity) && !measured(kEpw))) return {};
+  if (layers < 2 || (!measured(kIntensity) && !measured(kEpw))) return {};
   const Channel channel = measured(kIntensity) ? kIntensity : kEpw;
-  const double pulse_m = core::kMetresPerNanosecond * profile.emitter.pulse_fwhm_ns;
-  std::vector<std::size_t> samples = samplesOf(replay, sensor, false);
-  if (samples.empty()) samples = samplesOf(replay, sensor, true);
+  std::vector<std::size_t> samples = samplesOf(replay, sensors, false);
+  if (samples.empty()) samples = samplesOf(replay, sensors, true);
 
-  std::vector<std::vector<double>> ratios(profile.scan.layers.size());
+  std::vector<std::vector<double>> ratios(layers);
   for (const std::size_t s : samples) {
     const ReplaySample& sample = replay.samples()[s];
+    const model::SensorProfile& profile = replay.baseline().model.sensor(sample.sample->sensor);
+    const double pulse_m = core::kMetresPerNanosecond * profile.emitter.pulse_fwhm_ns;
     const auto simulated = replay.simulate(replay.baseline(), s, kFrames, replay.baseline().model.seed);
     for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
       const CellStatistics& m = sample.statistics[c];

@@ -104,7 +104,7 @@ TEST(LayerGains, AreThoseOfTheDataForTheSensorThatHasThem) {
       {{"photo-response-nonuniformity", {{"gain_per_layer", {1.2, 0.9, 1.05, 0.85}}, {"sensors", {"left"}}}}});
   const auto measured = world.measuredBy(truth);
   const gap::Replay replay(measured, SideBySide::modelWith({}));
-  const auto left = gap::layerGains(replay, "left"), right = gap::layerGains(replay, "right");
+  const auto left = gap::layerGains(replay, {"left"}), right = gap::layerGains(replay, {"right"});
   ASSERT_EQ(left.size(), 4U);
   EXPECT_NEAR(left[0], 1.2, 0.01);
   EXPECT_NEAR(left[1], 0.9, 0.01);
@@ -115,6 +115,16 @@ TEST(LayerGains, AreThoseOfTheDataForTheSensorThatHasThem) {
   const gap::Diagnosis diagnosis = diagnosed(measured, {"photo-response-nonuniformity", "atmospheric-attenuation"});
   EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"photo-response-nonuniformity"});
   EXPECT_EQ(diagnosis.causes.front().sensors, std::vector<std::string>{"left"});
+}
+
+TEST(LayerGains, ThatBothSensorsShareAreOneCauseOfBoth) {
+  const SideBySide world;
+  const auto truth =
+      SideBySide::modelWith({{"photo-response-nonuniformity", {{"gain_per_layer", {1.2, 0.9, 1.05, 0.85}}}}});
+  const auto measured = world.measuredBy(truth);
+  const gap::Diagnosis diagnosis = diagnosed(measured, {"photo-response-nonuniformity", "atmospheric-attenuation"});
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"photo-response-nonuniformity"});
+  EXPECT_TRUE(diagnosis.causes.front().sensors.empty());
 }
 
 }  // namespace
