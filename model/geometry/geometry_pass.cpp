@@ -12,8 +12,6 @@ namespace {
 
 /// A surface nearer than this touches the sensor: the beam is lost in it, and 1/r² means nothing there.
 constexpr double kNearest_m = 1e-3;
-/// A second way begins this far behind the surface that it left, so as not to meet it again.
-constexpr double kStepOff_m = 1e-4;
 constexpr std::size_t kLanes = RayPacket::kRays;
 
 std::vector<BeamAxes> axesOf(std::span<const Beam> beams) {
@@ -67,11 +65,6 @@ FIDELIS_FOR_EVERY_PROCESSOR void cosinesOf(const RayPacket& p, float* __restrict
     const float cosine = std::fabs(along) / std::sqrt(square);
     cosines[i] = cosine < 1.0F ? cosine : 1.0F;
   }
-}
-
-Vector3 mirrored(const Vector3& d, const Vector3& normal) {
-  const double along = d[0] * normal[0] + d[1] * normal[1] + d[2] * normal[2];
-  return {d[0] - 2.0 * along * normal[0], d[1] - 2.0 * along * normal[1], d[2] - 2.0 * along * normal[2]};
 }
 
 }  // namespace
@@ -211,53 +204,18 @@ void GeometryPass::collectExactly(std::size_t begin, std::size_t end, Tile& tile
   }
 }
 
-/// Goes on behind panes and by way of mirrors, one ray at a time: such surfaces are few.
 void GeometryPass::follow(std::size_t begin, std::size_t end, Tile& tile) const {
   tile.first_second.assign(1, 0);
-  struct Open {
-    Ray ray;
-    double length_m;
-    SecondHit path;
-  };
-  std::vector<Open> open;
-  const auto turnAt = [&](const Open& from, const RayHit& met) {
-    if (from.path.turn_count >= std::min(second_.most_turns, SecondHit::kMostTurns)) return;
-    const auto object = static_cast<std::size_t>(met.object);
-    for (const bool mirror : {false, true}) {
-      if (!(mirror ? second_.mirrored : second_.through)[object]) continue;
-      Open next = from;
-      next.path.turns[next.path.turn_count++] = {mirror, met.object, static_cast<float>(met.cos_incidence)};
-      next.length_m += met.range_m;
-      if (mirror) next.ray.direction = mirrored(from.ray.direction, met.normal);
-      for (std::size_t k = 0; k < 3; ++k) {
-        next.ray.origin_m[k] += met.range_m * from.ray.direction[k] + kStepOff_m * next.ray.direction[k];
-      }
-      next.length_m += kStepOff_m;
-      open.push_back(next);
-    }
-  };
+  WaysOn ways(tracer_, second_);
   for (std::size_t b = begin; b < end; ++b) {
     const BeamTurn turn(beams_[b]);
     for (const Hit& first : HitsOfBeam(tile.hits, b - begin)) {
-      const auto object = static_cast<std::size_t>(first.object);
-      if (!second_.through[object] && !second_.mirrored[object]) continue;
-      Open start{rayOf(b, turn, first.ray), 0.0, {}};
-      start.path.hit.ray = first.ray;
-      RayHit met;
-      tracer_.trace(std::span(&start.ray, 1), std::span(&met, 1));
-      if (met.object >= 0) turnAt(start, met);
-      while (!open.empty()) {
-        Open way = open.back();
-        open.pop_back();
-        tracer_.trace(std::span(&way.ray, 1), std::span(&met, 1));
-        if (met.object < 0) continue;
-        turnAt(way, met);
-        way.path.hit.range_m = way.length_m + met.range_m;
-        way.path.hit.cos_incidence = static_cast<float>(met.cos_incidence);
-        way.path.hit.object = met.object;
-        tile.second.push_back(way.path);
-      }
+      if (!ways.leadFrom(first.object)) continue;
+      const std::size_t at = (b - begin) * rays_.size() + first.ray;
+      const Ray ray = rayOf(b, turn, first.ray);
+      ways.begin(ray, tracer_.exactly(ray, tile.packets[at / kLanes], at % kLanes), first.ray);
     }
+    ways.finish(tile.second);
     tile.first_second.push_back(static_cast<std::uint32_t>(tile.second.size()));
   }
 }

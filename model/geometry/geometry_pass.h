@@ -4,15 +4,9 @@
 
 #include "model/geometry/hits.h"
 #include "model/geometry/ray_tracer.h"
+#include "model/geometry/second_ways.h"
 
 namespace model {
-
-/// Which surfaces a sub-ray does not end on, by object, and how many of them a path may have.
-struct SecondWays {
-  std::size_t most_turns = 0;  ///< at most SecondHit::kMostTurns; 0: nothing of the kind
-  std::vector<bool> through;
-  std::vector<bool> mirrored;
-};
 
 /// A beam's own axes in single precision; its left axis is level.
 struct BeamAxes {
