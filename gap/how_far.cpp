@@ -105,7 +105,11 @@ double HeldOutGaps::noiseOf(const World& world, const std::vector<core::Detectio
 double HeldOutGaps::leftIn(const World& world) const {
   const std::vector<core::Detections> detections = simulated(world, seed_);
   const double noise = noiseOf(world, detections);
-  return std::max(0.0, (meanOf(gapsTo(detections)).total - noise) / std::max(1e-9, before_.total - noise));
+  const std::vector<TotalGap> gaps = gapsTo(detections);
+  double total = meanOf(gaps).total;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    total += ofMeasurandsLostIn(gaps[i], gaps_before_[i]) / static_cast<double>(gaps.size());
+  return std::max(0.0, (total - noise) / std::max(1e-9, before_.total - noise));
 }
 
 double HeldOutGaps::shrinkTo(double after) const { return shrinkOf(before_.total, after); }

@@ -34,7 +34,7 @@ TotalGap totalGap(const std::vector<model::Measurand>& measurands, const core::D
     const metrics::PBox real_box{metrics::Edf(*real)}, sim_box{metrics::Edf(*sim)};
     const auto dvm = metrics::doubleValidationMetric({.simulated = sim_box, .measured = real_box});
     gap.measurands.push_back({measurand.name, measurand.unit, dvm.bias, dvm.scatter, measurand.resolution});
-    gap.total += (std::abs(dvm.bias) + dvm.scatter) / measurand.resolution;
+    gap.total += gap.measurands.back().steps();
   }
   if (measured.hasDirections() && simulated.hasDirections()) addExistence(gap, measured, simulated, frames);
   return gap;
@@ -62,6 +62,15 @@ TotalGap meanOf(const std::vector<TotalGap>& gaps) {
     m.d_cavm /= counts[m.name];
   }
   return mean;
+}
+
+double ofMeasurandsLostIn(const TotalGap& after, const TotalGap& before) {
+  double lost = 0.0;
+  for (const MeasurandGap& m : before.measurands) {
+    const auto same = [&](const MeasurandGap& other) { return other.name == m.name; };
+    if (std::none_of(after.measurands.begin(), after.measurands.end(), same)) lost += m.steps();
+  }
+  return lost;
 }
 
 core::Detections framesOf(const core::Detections& detections, const std::vector<int>& frames) {

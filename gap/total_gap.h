@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct MeasurandGap {
   double d_bias = 0.0;
   double d_cavm = 0.0;
   double resolution = 1.0;
+
+  [[nodiscard]] double steps() const { return (std::abs(d_bias) + d_cavm) / resolution; }
 };
 
 /// What all echoes missing, or as many extra, add to the total gap.
@@ -36,6 +39,9 @@ struct TotalGap {
 
 /// Means over samples (d_bias with its sign; `total` is the mean of the totals).
 [[nodiscard]] TotalGap meanOf(const std::vector<TotalGap>& gaps);
+
+/// What measurands that can no longer be compared added to the gap before: who reports nothing is not better for it.
+[[nodiscard]] double ofMeasurandsLostIn(const TotalGap& after, const TotalGap& before);
 
 /// The detections of some frames only, each as often as it is listed (for a bootstrap over frames).
 [[nodiscard]] core::Detections framesOf(const core::Detections& detections, const std::vector<int>& frames);

@@ -209,9 +209,9 @@ std::string findingSentence(const Diagnosis& diagnosis) {
     case VerdictKind::kNone:
       return "Measurement and simulation do not differ by more than their uncertainty " + sure + ".";
     case VerdictKind::kEffect:
-      return fmt::format("The model lacks {}; with it{} {} {}.{}", namesOf(diagnosis),
-                         verdict.beside.empty() ? "" : ", and " + listOf(verdict.beside) + " corrected,", shrink, sure,
-                         ties);
+      return fmt::format(
+          "The model lacks {}; with {}{} {} {}.{}", namesOf(diagnosis), verdict.names.size() == 1 ? "it" : "them",
+          verdict.beside.empty() ? "" : ", and " + listOf(verdict.beside) + " corrected,", shrink, sure, ties);
     case VerdictKind::kParameter:
       return fmt::format("The parameter {} has a wrong value; with the fitted one {} {}.{}", listOf(verdict.names),
                          shrink, sure, ties);

@@ -42,6 +42,18 @@ TEST(HowFar, ARepetitionOfTheMeasurementFindsTheShrinkWithinTheIntervalNineTimes
   EXPECT_LE(above, 5);  // an interval that only reaches down would not do
 }
 
+// A sensor that reports nothing has no bias; its gap is no smaller for it.
+TEST(HowFar, AWorldInWhichNothingIsDetectedLeavesTheWholeGap) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 500}});  // ten times as bright
+  const model::Experiment measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::HeldOutGaps gaps(replay, gap::splitOf(replay, 1).held_out.samples, 1);
+  const auto lost = SmallWorld::modelWith({{"detection-loss", {{"probability", 1.0}}}});
+  ASSERT_GT(gaps.before().total, 100.0);  // more than what all echoes missing count
+  EXPECT_GE(gaps.leftIn({lost, {}, {}}), 1.0);
+}
+
 // The wall may stand 5 cm nearer or farther in the next recording, which is three times the noise of the range.
 TEST(HowFar, AReferenceThatIsHardlyKnownMakesTheShrinkLessCertain) {
   const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 20000}}}});

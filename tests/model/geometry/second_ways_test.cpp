@@ -61,7 +61,8 @@ TEST(WaysOn, OfManyRaysAtOnceAreThoseOfEachAlone) {
   }
 }
 
-// The wall behind mirrors, too: straight on and once reflected, then by both mirrors through the pane to the wall ahead.
+// The wall behind mirrors, too: straight on and once reflected, then by both mirrors through the pane to the wall
+// ahead.
 TEST(WaysOn, EndAfterAsManyTurnsAsTheyMayHave) {
   const Scene scene = paneBetweenWalls();
   const RayTracer tracer(scene);
