@@ -45,7 +45,8 @@ class Scale {
   }
   [[nodiscard]] double toValue(double unit) const {
     const double bent = bend(p_.low) + std::clamp(unit, 0.0, 1.0) * (bend(p_.high) - bend(p_.low));
-    return std::clamp(unbend(bent), p_.low, p_.high);
+    const double value = std::clamp(unbend(bent), p_.low, p_.high);
+    return p_.whole ? std::round(value) : value;
   }
 
  private:
@@ -415,6 +416,7 @@ std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothe
 }
 
 double resolvedAt(const FreeParameter& parameter, double value) {
+  if (parameter.whole) return 0.5;
   const Scale scale(parameter);
   const double step = std::ldexp(1.0, -kBrentBits), unit = scale.toUnit(value);
   return 0.5 * (scale.toValue(unit + step) - scale.toValue(unit - step));

@@ -25,7 +25,7 @@ FreeParameter declared(const model::EffectInfo& info, const std::string& name) {
   const auto p = std::find_if(info.parameters.begin(), info.parameters.end(),
                               [&](const model::ParameterInfo& parameter) { return parameter.name == name; });
   const double low = p->logarithmic && p->min <= 0.0 ? p->max * 1e-4 : p->min;
-  return {p->name, p->unit, low, p->max, p->logarithmic, std::clamp(p->typical, low, p->max), p->absent_at};
+  return {p->name, p->unit, low, p->max, p->logarithmic, std::clamp(p->typical, low, p->max), p->absent_at, p->whole};
 }
 
 model::EffectParameters parametersOf(const std::vector<std::string>& names, const std::vector<double>& values) {

@@ -21,6 +21,7 @@ struct FreeParameter {
   bool logarithmic = false;
   double start = 0.0;
   double absent_at = 0.0;  ///< where the cause does nothing
+  bool whole = false;      ///< a count
 };
 
 /// One possible cause of the gap: how the world would differ from the baseline.

@@ -32,6 +32,7 @@ struct ParameterInfo {
   bool logarithmic = false;  ///< varies over decades: search it on a logarithmic scale
   double typical = 0.0;      ///< a start for a fit
   double absent_at = 0.0;    ///< where the effect does nothing: searched finely if it lies in the plausible range
+  bool whole = false;        ///< a count
 };
 
 /// A list of numbers that an effect takes.

@@ -29,20 +29,19 @@ class Quantisation final : public Effect {
 }  // namespace
 
 EffectEntry quantisation() {
-  return {
-      .info = {.name = "quantisation",
-               .title = "Quantisation of the outputs",
-               .stage = Stage::kPreProcessing,
-               .percollect = {"70", "71", "144"},
-               .parameters = {{"range_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the range", true, 0.1},
-                              {"epw_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the echo pulse width", true, 0.2},
-                              {"intensity_bits", "", 1.0, 24.0, std::nullopt, "Bits of the intensity", false, 8.0},
-                              {"intensity_full_scale_nw", "nW", 1.0, 1e9, 1e5, "Intensity of the highest level", true,
-                               1e5}},
-               .fitted = {"range_step_m"},
-               .other_forms = {{"echo pulse width", {"epw_step_m"}}, {"intensity", {"intensity_bits"}}},
-               .source = "Widrow & Kollár 2008, Quantization Noise, ch. 4"},
-      .make = makeFrom<Quantisation>};
+  return {.info = {.name = "quantisation",
+                   .title = "Quantisation of the outputs",
+                   .stage = Stage::kPreProcessing,
+                   .percollect = {"70", "71", "144"},
+                   .parameters =
+                       {{"range_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the range", true, 0.1},
+                        {"epw_step_m", "m", 0.0, 2.0, std::nullopt, "Step of the echo pulse width", true, 0.2},
+                        {"intensity_bits", "", 1.0, 24.0, std::nullopt, "Bits of the intensity", false, 8.0, 0.0, true},
+                        {"intensity_full_scale_nw", "nW", 1.0, 1e9, 1e5, "Intensity of the highest level", true, 1e5}},
+                   .fitted = {"range_step_m"},
+                   .other_forms = {{"echo pulse width", {"epw_step_m"}}, {"intensity", {"intensity_bits"}}},
+                   .source = "Widrow & Kollár 2008, Quantization Noise, ch. 4"},
+          .make = makeFrom<Quantisation>};
 }
 
 }  // namespace model::effects

@@ -93,6 +93,17 @@ TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
 }
 
 // Of 0.01 to 1, searched in its logarithm, to 13 bits of that range: ln(100) / 8192 of the value.
+TEST_F(Search, FitsCountsAsWholeNumbers) {
+  measure({{"quantisation", {{"intensity_bits", 9}}}});
+  const auto forms = gap::hypothesesFor(*replay_, {"quantisation"});
+  const auto bits = std::find_if(forms.begin(), forms.end(), [](const auto& h) { return h.variant == "intensity"; });
+  ASSERT_NE(bits, forms.end());
+  const core::SilentProgress progress;
+  const std::vector<double> found = gap::fitFrom(*replay_, *bits, split_.fitted, scouted(*bits).values, progress);
+  EXPECT_EQ(found[0], 9.0);
+  EXPECT_EQ(gap::resolvedAt(bits->parameters[0], 9.0), 0.5);
+}
+
 TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
   const gap::FreeParameter parameter{"value", "", 0.01, 1.0, true, 0.1};
   EXPECT_NEAR(gap::resolvedAt(parameter, 0.2), 0.2 * std::log(100.0) / 8192.0, 1e-7);
