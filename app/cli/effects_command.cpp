@@ -15,10 +15,19 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json toJson(const model::ParameterInfo& parameter, const std::vector<std::string>& fitted) {
+/// Whether a diagnosis searches for a parameter, in any form of the effect.
+bool isFitted(const model::EffectInfo& info, const std::string& parameter) {
+  const auto among = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), parameter) != names.end();
+  };
+  return among(info.fitted) || std::any_of(info.other_forms.begin(), info.other_forms.end(),
+                                           [&](const model::FittedForm& form) { return among(form.parameters); });
+}
+
+ordered_json toJson(const model::ParameterInfo& parameter, bool fitted) {
   ordered_json json{{"name", parameter.name}, {"unit", parameter.unit}, {"min", parameter.min}, {"max", parameter.max}};
   json["default"] = parameter.default_value ? ordered_json(*parameter.default_value) : ordered_json(nullptr);
-  json["fitted"] = std::find(fitted.begin(), fitted.end(), parameter.name) != fitted.end();
+  json["fitted"] = fitted;
   json["meaning"] = parameter.meaning;
   return json;
 }
@@ -38,7 +47,7 @@ ordered_json toJson(const model::EffectEntry& entry) {
   json["percollect"] = info.percollect;
   json["parameters"] = ordered_json::array();
   for (const model::ParameterInfo& parameter : info.parameters)
-    json["parameters"].push_back(toJson(parameter, info.fitted));
+    json["parameters"].push_back(toJson(parameter, isFitted(info, parameter.name)));
   for (const auto& [name, choices] : entry.texts) json["parameters"].push_back({{"name", name}, {"choices", choices}});
   for (const model::ListInfo& list : entry.lists) json["parameters"].push_back(toJson(list));
   json["source"] = info.source;
@@ -62,7 +71,7 @@ void printOne(std::ostream& out, const model::EffectEntry& entry) {
     out << fmt::format("  {:<24} {:g} … {:g}{}{}{}\n{:27}{}\n", p.name, p.min, p.max,
                        p.unit.empty() ? "" : " " + p.unit,
                        p.default_value ? fmt::format(", default {:g}", *p.default_value) : "",
-                       toJson(p, info.fitted)["fitted"] ? ", fitted by a diagnosis" : "", "", p.meaning);
+                       isFitted(info, p.name) ? ", fitted by a diagnosis" : "", "", p.meaning);
   }
   for (const auto& [name, choices] : entry.texts) out << fmt::format("  {:<24} one of {}\n", name, core::join(choices));
   for (const model::ListInfo& list : entry.lists) {
