@@ -128,20 +128,35 @@ double separationOf(double twice_log_ratio, const Candidate& best, const Candida
   return std::sqrt(std::max(0.0, twice_log_ratio + 2.0 * Judge::kNatsPerNumber * more_choices));
 }
 
+bool isAmong(const std::vector<Rival>& rivals, const std::string& name) {
+  return std::any_of(rivals.begin(), rivals.end(), [&](const Rival& rival) { return rival.name == name; });
+}
+
+/// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
+/// samples and takes no more to say it.
+void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
+  const double least_merit = candidates.front().merit - kFarBehind;
+  for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
+    const Candidate &best = candidates.front(), &other = candidates[i];
+    const bool no_more = choicesIn(other) <= choicesIn(best);
+    const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
+    if (other.hypothesis.name == best.hypothesis.name || !no_more || !as_much) continue;
+    if (separationOnAll(quick, exact, other, best, kTie) < kApart) continue;
+    const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(candidates.begin(), place, place + 1);
+  }
+}
+
 /// How well the best one is told from each cause that comes near to it.
-std::vector<Rival> rivalsOf(const Judge& judge, const std::vector<Candidate>& candidates) {
+std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
-  const double alike = kTie * judge.yardstick.whole();
   std::vector<Rival> rivals;
   for (std::size_t i = 1; i < candidates.size() && rivals.size() < kRivals; ++i) {
-    Candidate candidate = candidates[i];
+    const Candidate& candidate = candidates[i];
     const std::string& name = candidate.hypothesis.name;
-    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == name; });
-    if (name == best.hypothesis.name || known) continue;
+    if (name == best.hypothesis.name || isAmong(rivals, name)) continue;
     if (candidate.merit < best.merit - kFarBehind) break;
-    judge.hear(candidate);  // few beams may have been all that it was judged by so far
-    const bool same = candidate.discrepancy < best.discrepancy + alike;
-    const double apart = same ? 0.0 : std::max(0.0, separation(judge, best, candidate));
+    const double apart = std::max(0.0, separationOnAll(quick, exact, best, candidate, kTie));
     rivals.push_back({name, separationOf(apart * apart, best, candidate)});
   }
   return rivals;
@@ -250,9 +265,10 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   const Candidate& best = decision.singles.front();
   decision.name(best);
   for (const Candidate& other : decision.singles) {
-    if (other.hypothesis.name == best.hypothesis.name || decision.rivals.size() == kRivals) continue;
+    const std::string& name = other.hypothesis.name;
+    if (name == best.hypothesis.name || isAmong(decision.rivals, name) || decision.rivals.size() == kRivals) continue;
     const double z = z_of.at(formOf(best.hypothesis)), z_other = z_of.at(formOf(other.hypothesis));
-    decision.rivals.push_back({other.hypothesis.name, separationOf(z * z - z_other * z_other, best, other)});
+    decision.rivals.push_back({name, separationOf(z * z - z_other * z_other, best, other)});
   }
 }
 
@@ -284,10 +300,12 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
 }
 
 /// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
-void nameTheBest(const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where, Decision& decision,
-                 const core::Progress& progress) {
+void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where,
+                 Decision& decision, const core::Progress& progress) {
+  leadByAll(quick, exact, decision.singles);
   const Candidate& best = decision.singles.front();
-  const bool explains = best.hypothesis.seen_in_values || exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
+  const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
+                        exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   if (!explains) return;
@@ -295,7 +313,7 @@ void nameTheBest(const Judge& exact, const HeldOutGaps& gaps, const std::vector<
     decision.name(*pair);
   } else {
     decision.name(best);
-    decision.rivals = rivalsOf(exact, decision.singles);
+    decision.rivals = rivalsOf(quick, exact, decision.singles);
   }
 }
 
@@ -372,7 +390,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   if (!clear) {
     nameWhatProvesItself(quick, exact, gaps, where, decision, progress);
   } else if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
-    nameTheBest(exact, gaps, where, decision, progress);
+    nameTheBest(quick, exact, gaps, where, decision, progress);
   }
   return decision;
 }

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kRuns = 40;  // of the null: their spread is known to a tenth
 constexpr std::size_t kRoughRuns = 8;
 constexpr std::size_t kRunsApart = 8;  // of two causes
+constexpr double kBeyondDoubt = 4.0;   // standard deviations: told apart, whatever the other samples say
 
 constexpr std::uint64_t kFirstSeed = 3000;
 
@@ -111,17 +112,56 @@ std::vector<double> roughImprovements(const Judge& judge, const std::vector<Cand
   return improvements;
 }
 
-double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
-  const Replay& replay = judge.replay;
-  const Evidence& held_out = judge.split.held_out;
-  const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
+namespace {
+
+/// How much farther from some evidence one candidate is than another.
+struct Apart {
+  double difference = 0.0;
+  double variance = 0.0;  ///< of it, were the first one right
+
+  [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
+};
+
+double differenceOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
+  return discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence);
+}
+
+Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
   std::vector<double> differences(kRunsApart);
   core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
-    const std::uint64_t seed = held_out.seed + kFirstSeed + run;
-    differences[run] = discrepancyIn(replay, a, b, held_out, seed) - discrepancyIn(replay, a, a, held_out, seed);
+    const std::uint64_t seed = seedOf(evidence, run);
+    differences[run] =
+        discrepancyIn(replay, best, rival, evidence, seed) - discrepancyIn(replay, best, best, evidence, seed);
   });
-  const double observed = discrepancyOf(replay, b, held_out) - discrepancyOf(replay, a, held_out);
-  return observed / std::max(1e-9, Distribution(differences).stddev);
+  const double stddev = Distribution(differences).stddev;
+  return {differenceOn(replay, evidence, best, rival), stddev * stddev};
+}
+
+}  // namespace
+
+double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
+  const Replay& replay = judge.replay;
+  return apartOn(replay, judge.split.held_out, worldOf(replay, best.hypothesis, best.values),
+                 worldOf(replay, rival.hypothesis, rival.values))
+      .z();
+}
+
+double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
+                       double alike) {
+  Apart all;
+  bool differ = false;
+  for (const bool held_out : {true, false}) {
+    const Replay& replay = held_out ? exact.replay : quick.replay;
+    const Evidence& evidence = held_out ? exact.split.held_out : quick.split.refined;
+    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
+    const double explained = -differenceOn(replay, evidence, replay.baseline(), a);
+    differ = differ || differenceOn(replay, evidence, a, b) > alike * explained;
+    const Apart part = apartOn(replay, evidence, a, b);
+    if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
+    all.difference += part.difference;
+    all.variance += part.variance;
+  }
+  return differ ? all.z() : 0.0;
 }
 
 }  // namespace gap

@@ -6,6 +6,7 @@
 
 #include "gap/candidates.h"
 #include "gap/decision.h"
+#include "gap/significance.h"
 #include "gap/starts.h"
 #include "tests/gap/small_world.h"
 
@@ -102,6 +103,25 @@ TEST_F(Search, FitsCountsAsWholeNumbers) {
   const std::vector<double> found = gap::fitFrom(*replay_, *bits, split_.fitted, scouted(*bits).values, progress);
   EXPECT_EQ(found[0], 9.0);
   EXPECT_EQ(gap::resolvedAt(bits->parameters[0], 9.0), 0.5);
+}
+
+// At the one range that is held out, an offset and a scale do the same; those that were fitted tell them apart.
+TEST_F(Search, TellsCausesByTheFittedSamplesThatTheHeldOutOnesCannotTell) {
+  measure({{"range-offset", {{"offset_m", 0.02}}}});
+  for (model::Sample& sample : measured_.samples)
+    sample.role = sample.id == "r19" ? model::Role::kPrediction : model::Role::kCalibration;
+  replay_.emplace(measured_, SmallWorld::modelWith({}));
+  split_ = gap::splitOf(*replay_, 1);
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const double range_m = gap::situationIn(replay_->baseline(), measured_, *replay_->samples()[2].sample)
+                             .scene.objects.front()
+                             .pose.position_m[0];
+  const gap::Candidate offset{.hypothesis = effect("range-offset"), .values = {0.02}};
+  const gap::Candidate drift{.hypothesis = effect("clock-drift"), .values = {1e6 * 0.02 / range_m}};
+  EXPECT_LT(std::abs(gap::separation(judge, offset, drift)), 1.5);
+  EXPECT_GT(gap::separationOnAll(judge, judge, offset, drift, 0.03), 4.0);
+  EXPECT_LE(gap::separationOnAll(judge, judge, drift, offset, 0.03), 0.0);
+  EXPECT_EQ(gap::separationOnAll(judge, judge, offset, offset, 0.03), 0.0);
 }
 
 TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
