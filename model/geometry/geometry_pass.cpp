@@ -249,13 +249,17 @@ BeamHits traceBeams(const RayTracer& tracer, std::vector<Beam> beams, const SubR
     tile.packets = {};
   });
   if (second.most_turns > 0) result.first_second.push_back(0);
-  for (const GeometryPass::Tile& tile : tiles) {
+  std::size_t second_hits = 0;
+  for (const GeometryPass::Tile& tile : tiles) second_hits += tile.second.size();
+  result.second.reserve(second_hits);  // they are many: neither spare room nor two copies of all
+  for (GeometryPass::Tile& tile : tiles) {
     result.hits.append(tile.hits);
     const auto before = static_cast<std::uint32_t>(result.second.size());
     result.second.insert(result.second.end(), tile.second.begin(), tile.second.end());
     for (std::size_t b = 1; b < tile.first_second.size(); ++b) {
       result.first_second.push_back(before + tile.first_second[b]);
     }
+    tile = {};
   }
   return result;
 }
