@@ -122,10 +122,6 @@ struct Apart {
   [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
 };
 
-double differenceOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
-  return discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence);
-}
-
 Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
   std::vector<double> differences(kRunsApart);
   core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
@@ -134,7 +130,7 @@ Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best,
         discrepancyIn(replay, best, rival, evidence, seed) - discrepancyIn(replay, best, best, evidence, seed);
   });
   const double stddev = Distribution(differences).stddev;
-  return {differenceOn(replay, evidence, best, rival), stddev * stddev};
+  return {discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence), stddev * stddev};
 }
 
 }  // namespace
@@ -154,9 +150,9 @@ double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& 
     const Replay& replay = held_out ? exact.replay : quick.replay;
     const Evidence& evidence = held_out ? exact.split.held_out : quick.split.refined;
     const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
-    const double explained = -differenceOn(replay, evidence, replay.baseline(), a);
-    differ = differ || differenceOn(replay, evidence, a, b) > alike * explained;
     const Apart part = apartOn(replay, evidence, a, b);
+    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
+    differ = differ || part.difference > alike * explained;
     if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
     all.difference += part.difference;
     all.variance += part.variance;

@@ -59,7 +59,7 @@ void WaysOn::follow() {
     tracer_.trace(rays, met);
     for (std::size_t i = 0; i < traced.size(); ++i) {
       if (met[i].object < 0) continue;
-      turn(traced[i], met[i]);
+      turn(traced[i], met[i]);  // before the path has a hit: what goes on from here begins without one
       Way& way = ways_[traced[i]];
       way.path.hit.range_m = way.length_m + met[i].range_m;
       way.path.hit.cos_incidence = static_cast<float>(met[i].cos_incidence);
