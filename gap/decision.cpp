@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 
 #include "gap/cross_fit.h"
@@ -128,10 +129,6 @@ double separationOf(double twice_log_ratio, const Candidate& best, const Candida
   return std::sqrt(std::max(0.0, twice_log_ratio + 2.0 * Judge::kNatsPerNumber * more_choices));
 }
 
-bool isAmong(const std::vector<Rival>& rivals, const std::string& name) {
-  return std::any_of(rivals.begin(), rivals.end(), [&](const Rival& rival) { return rival.name == name; });
-}
-
 /// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
 /// samples and takes no more to say it.
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
@@ -147,19 +144,36 @@ void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& c
   }
 }
 
-/// How well the best one is told from each cause that comes near to it.
-std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
-  const Candidate& best = candidates.front();
-  std::vector<Rival> rivals;
-  for (std::size_t i = 1; i < candidates.size() && rivals.size() < kRivals; ++i) {
-    const Candidate& candidate = candidates[i];
+/// Those of other names, of each name the first one.
+std::vector<const Candidate*> othersThan(const Candidate& best, const std::vector<Candidate>& candidates) {
+  std::vector<const Candidate*> others;
+  for (const Candidate& candidate : candidates) {
     const std::string& name = candidate.hypothesis.name;
-    if (name == best.hypothesis.name || isAmong(rivals, name)) continue;
-    if (candidate.merit < best.merit - kFarBehind) break;
-    const double apart = std::max(0.0, separationOnAll(quick, exact, best, candidate, kTie));
-    rivals.push_back({name, separationOf(apart * apart, best, candidate)});
+    const bool known = std::any_of(others.begin(), others.end(),
+                                   [&](const Candidate* other) { return other->hypothesis.name == name; });
+    if (name != best.hypothesis.name && !known) others.push_back(&candidate);
+  }
+  return others;
+}
+
+/// How well the best one is told from some others, the likeliest first.
+std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Candidate& best,
+                               std::vector<const Candidate*> others) {
+  if (others.size() > kRivals) others.resize(kRivals);
+  std::vector<Rival> rivals;
+  for (const Candidate* other : others) {
+    const double apart = std::max(0.0, separationOnAll(quick, exact, best, *other, kTie));
+    rivals.push_back({other->hypothesis.name, separationOf(apart * apart, best, *other)});
   }
   return rivals;
+}
+
+/// From each cause that comes near to the best one.
+std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
+  const Candidate& best = candidates.front();
+  std::vector<const Candidate*> others = othersThan(best, candidates);
+  std::erase_if(others, [&](const Candidate* other) { return other->merit < best.merit - kFarBehind; });
+  return rivalsAmong(quick, exact, best, std::move(others));
 }
 
 /// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
@@ -238,8 +252,7 @@ class Proofs {
 void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                           const std::vector<WhereRow>& where, Decision& decision, const core::Progress& progress) {
   decision.kind = VerdictKind::kNone;
-  std::vector<Candidate> proven;
-  std::map<Form, double> z_of;
+  std::vector<Candidate> proven, others;
   double p_value = 1.0;
   const auto shrinks = [&](const Candidate& candidate) {
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
@@ -250,9 +263,11 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     core::stopIfCancelled(progress);
     const Significance significance = proofs.of(candidate, progress);
     const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
-    if (!shown || !shrinks(candidate)) continue;
     exact.hear(candidate);
-    z_of[formOf(candidate.hypothesis)] = significance.improvement_z;
+    if (!shown || !shrinks(candidate)) {
+      others.push_back(std::move(candidate));
+      continue;
+    }
     proven.push_back(std::move(candidate));
     p_value = std::min(p_value, significance.p_value);
   }
@@ -262,14 +277,12 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   if (proven.empty()) return;
   decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
   decision.singles = std::move(proven);
+  decision.name(decision.singles.front());
+  // What did not prove itself may still come as near: it only has more to pay, or its own share of luck.
+  sortByMerit(others);
+  std::move(others.begin(), others.end(), std::back_inserter(decision.singles));
   const Candidate& best = decision.singles.front();
-  decision.name(best);
-  for (const Candidate& other : decision.singles) {
-    const std::string& name = other.hypothesis.name;
-    if (name == best.hypothesis.name || isAmong(decision.rivals, name) || decision.rivals.size() == kRivals) continue;
-    const double z = z_of.at(formOf(best.hypothesis)), z_other = z_of.at(formOf(other.hypothesis));
-    decision.rivals.push_back({name, separationOf(z * z - z_other * z_other, best, other)});
-  }
+  decision.rivals = rivalsAmong(quick, exact, best, othersThan(best, decision.singles));
 }
 
 /// Noise of the share of the gap that a cause explains.

@@ -148,7 +148,8 @@ double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& 
   bool differ = false;
   for (const bool held_out : {true, false}) {
     const Replay& replay = held_out ? exact.replay : quick.replay;
-    const Evidence& evidence = held_out ? exact.split.held_out : quick.split.refined;
+    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
+    evidence.part.edges = exact.split.held_out.part.edges;
     const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
     const Apart part = apartOn(replay, evidence, a, b);
     const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
