@@ -6,6 +6,7 @@
 """
 
 import copy
+import dataclasses
 import random
 import shutil
 from pathlib import Path
@@ -19,6 +20,7 @@ import worlds
 ATTEMPTS = 8
 LARGEST = 20  # more is redrawn at first: nobody needs a tool to see that
 TARGETS = [0.5, 1, 1, 2, 2, 4, 8]
+LEAST_OF_A_PAIR = 0.7  # severity of each member, the other one known: what hardly acts nobody can be asked to find
 FORMAT = 1
 LEAST_DETECTIONS = 40  # in a held-out sample: below it there is no measurement to speak of
 
@@ -143,7 +145,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
     rng = random.Random(f"noise/{seed}/{slot}/{attempt}/{generator}")
     lab = Lab(draft, rng, bin_folder, generator)
     visible = draft.kind != "none"
-    u = lab.search(rng.choice(TARGETS)) if visible else 0.0
+    u = strength_of(lab) if visible else 0.0
     cause = draft.cause(u)
     world, model = cases.truth_world(draft, cause)  # before the baseline is recalibrated
     if draft.hide_by:
@@ -157,7 +159,8 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
     s["bin"] = severity.bin_of(s["value"])
     if visible and (s["bin"] is None or s["value"] > LARGEST and attempt < ATTEMPTS // 3):
         return None
-    if class_name == "pair" and not both_visible(lab, u, cause):
+    members = {name: severity_beside(lab, u, cause, name) for name in draft.members}
+    if any(value < LEAST_OF_A_PAIR for value in members.values()):
         return None
     if home.exists():
         shutil.rmtree(home)
@@ -172,7 +175,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
     packages.write(home / "case.json", {
         "format": "fidelis-withheld-case", "version": FORMAT, "id": number, "class": class_name, "name": name, "family": draft.family,
         "generator": generator, "without": draft.library, "seed": seed, "slot": list(slot), "scatter": draft.scatter,
-        "severity": s, "strength": u,
+        "severity": s | {"members": members}, "strength": u,
         "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where, "sensors": draft.sensors,
                   "hidden_by": draft.hide_by, "measurands": [n for n, v in shifts.items() if visible and v > 0.3 * largest],
                   "shifts": shifts, "oracle": oracle(lab, tables, world, model, lacking)},
@@ -180,9 +183,17 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
     return f"{class_name} {'+'.join(draft.names) or name} in {draft.family}, severity {s['value']:.2g}"
 
 
-def both_visible(lab, u, cause):
-    return all(severity.bin_of(lab.severity_of(u, 3, {n: p for n, p in cause.effects.items() if n != missing})["value"])
-               for missing in cause.effects)
+def strength_of(lab):
+    """Of the cause, for a severity drawn at random; of a pair one for each member, as if it were alone."""
+    alone = {name: Lab(dataclasses.replace(lab.draft, cause=cause), lab.rng, lab.bin, lab.generator) for name, cause in lab.draft.members.items()}
+    if alone:
+        return {name: one.search(lab.rng.choice([t for t in TARGETS if t >= 1])) for name, one in alone.items()}
+    return lab.search(lab.rng.choice(TARGETS))
+
+
+def severity_beside(lab, u, cause, name):
+    """Severity of one member of a pair, where the model lacks nothing but it."""
+    return lab.severity_of(u, 3, {n: p for n, p in cause.effects.items() if n != name})["value"]
 
 
 def oracle(lab, tables, world, model, lacking):

@@ -14,7 +14,8 @@ A slot (class, name, number) and the seed give a case; its id is a meaningless n
   beside      two sensors side by side, set-up by set-up: an effect of one of them, of both, a reference error that both
               see, or nothing
 
-`Draft.cause(u)` says what the true world has at strength u (0 barely, 1 strong) beyond the baseline.
+`Draft.cause(u)` says what the true world has at strength u (0 barely, 1 strong) beyond the baseline. The two of a pair have a
+strength each: at one strength for both, one of them mostly hides the other.
 """
 
 import copy
@@ -55,11 +56,12 @@ class Draft:
     family: str
     kind: str
     names: list
-    cause: object  # strength -> Cause
+    cause: object  # strength -> Cause; of a pair: {name: strength} -> Cause
     scatter: dict  # {pointer: standard deviation over set-ups}
     library: list = field(default_factory=list)  # effects left out of the library
     hide_by: str = ""                            # pointer of what is recalibrated
     sensors: list = field(default_factory=list)  # on which alone the effect exists
+    members: dict = field(default_factory=dict)  # of a pair, {name: strength -> Cause}: each by itself
 
 
 # What both sensors have (weather) or what the geometry of both hangs on is not given to one of them.
@@ -239,7 +241,9 @@ def make_pair(rng, draft, scene, name):
     pair = rng.sample([n for n in able if n not in ("beam-divergence", "pulse-broadening")], 2)
     recipes = {n: withhold(rng, draft, scene, n) for n in pair}
     draft.kind, draft.names = "effect", sorted(pair)
-    draft.cause = lambda u: Cause(effects={n: r(u) for n, r in recipes.items()}, parameters={n: r(u) for n, r in recipes.items()})
+    draft.members = {n: lambda u, n=n, r=r: Cause(effects={n: r(u)}) for n, r in recipes.items()}
+    together = lambda strengths: {n: r(strengths[n]) for n, r in recipes.items()}
+    draft.cause = lambda strengths: Cause(effects=together(strengths), parameters=together(strengths))
 
 
 def make_removed(rng, draft, scene, name):
