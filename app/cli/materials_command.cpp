@@ -46,7 +46,7 @@ std::vector<double> returns_dB(const model::Material& material, const Light& lig
     const double cosine = std::cos(degree * kDegree);
     try {
       const double factor = model::monostaticFactor(material, cosine, light.wavelength_nm) *
-                            model::wetFactor(material, cosine, light.wetness);
+                            model::wetFactor(material, cosine, {light.wetness});
       returns.push_back(10.0 * std::log10(material.reflectivity * factor * cosine));
     } catch (const core::InputError&) {
       fault = std::current_exception();

@@ -9,15 +9,16 @@ namespace {
 /// dry and wet.
 class SurfaceMoisture final : public Effect {
  public:
-  explicit SurfaceMoisture(const EffectParameters& parameters) : wetness_(parameters.numberOr("wetness", 0.5)) {}
+  explicit SurfaceMoisture(const EffectParameters& parameters)
+      : film_{parameters.numberOr("wetness", 0.5), parameters.numberOr("lobe_exponent", WetFilm::kLobeExponent)} {}
 
   [[nodiscard]] bool changesPower() const override { return true; }
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
-    return wetFactor(reflection.material, reflection.cos_incidence, wetness_);
+    return wetFactor(reflection.material, reflection.cos_incidence, film_);
   }
 
  private:
-  double wetness_;
+  WetFilm film_;
 };
 
 }  // namespace
@@ -27,8 +28,11 @@ EffectEntry surfaceMoisture() {
                    .title = "Moisture on surfaces",
                    .stage = Stage::kInteraction,
                    .percollect = {"130"},
-                   .parameters = {{"wetness", "", 0.0, 1.0, 0.5, "0 dry, 1 under a closed film", false, 0.6}},
+                   .parameters = {{"wetness", "", 0.0, 1.0, 0.5, "0 dry, 1 under a closed film", false, 0.6},
+                                  {"lobe_exponent", "", 2.0, 2000.0, WetFilm::kLobeExponent,
+                                   "How flat the film is: sharpness of its lobe", true, 100.0}},
                    .fitted = {"wetness"},
+                   .other_forms = {{"flatter or rougher film", {"wetness", "lobe_exponent"}}},
                    .source = "Lekner & Dorf 1988, doi:10.1364/AO.27.001278"},
           .make = makeFrom<SurfaceMoisture>};
 }

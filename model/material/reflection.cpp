@@ -52,10 +52,10 @@ double monostaticFactor(const Material& material, double cos_incidence, double w
   return 1.0;
 }
 
-double wetFactor(const Material& material, double cos_incidence, double wetness) {
+double wetFactor(const Material& material, double cos_incidence, const WetFilm& film) {
   const BrdfModel model = material.brdf.model;
   if (model == BrdfModel::kCookTorrance || model == BrdfModel::kGlass) return 1.0;
-  return WetFilm{wetness}.monostaticFactor(material.reflectivity, cos_incidence);
+  return film.monostaticFactor(material.reflectivity, cos_incidence);
 }
 
 double specularReflectance(const Material& material, double cos_incidence, double wavelength_nm) {

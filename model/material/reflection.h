@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/material/material.h"
+#include "model/material/wet_film.h"
 
 namespace model {
 
@@ -13,10 +14,10 @@ namespace model {
 /// Throws InputError where a table or a file of refractive indices says nothing about angle or wavelength.
 [[nodiscard]] double monostaticFactor(const Material& material, double cos_incidence, double wavelength_nm);
 
-/// What a water film that covers the share `wetness` of the surface makes of its return: that of a Lambertian surface
-/// of its reflectivity (wet_film.h). Surfaces that mirror by themselves (cook-torrance, glass) keep theirs: their own
+/// What a water film makes of the return of a surface: what it makes of that of a Lambertian surface of its
+/// reflectivity (wet_film.h). Surfaces that mirror by themselves (cook-torrance, glass) keep theirs: their own
 /// lobe outshines that of a film.
-[[nodiscard]] double wetFactor(const Material& material, double cos_incidence, double wetness);
+[[nodiscard]] double wetFactor(const Material& material, double cos_incidence, const WetFilm& film);
 
 /// Share of unpolarised light that a smooth surface of this material throws into the mirror direction: Fresnel, of a
 /// pane with both its faces where the material transmits (fresnel.h). How much of the surface is smooth is the

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kFilmReflectance = 0.02;
 constexpr double kReflectedInside = 0.472;
-constexpr double kLobeExponent = 100.0;
 
 }  // namespace
 
@@ -20,7 +19,7 @@ double WetFilm::diffuseUnderFilm(double dry_reflectivity) {
 
 double WetFilm::brdf(double dry_reflectivity, const ReflectionAngles& angles) const {
   const double wet = lambertianBrdf(diffuseUnderFilm(dry_reflectivity)) +
-                     lambertianBrdf(kFilmReflectance) * phongLobe(kLobeExponent, angles.cosToMirror());
+                     lambertianBrdf(kFilmReflectance) * phongLobe(lobe_exponent, angles.cosToMirror());
   return (1.0 - wetness) * lambertianBrdf(dry_reflectivity) + wetness * wet;
 }
 

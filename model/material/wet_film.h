@@ -11,14 +11,17 @@ namespace model {
 ///
 ///   F = 0.02    Fresnel reflectance from air to water (index 1.33) at normal incidence
 ///   p = 0.472   share of the diffuse light that the film throws back inside: 1 - (1 - 0.066)/1.33²
-///   n = 100     sharpness of the lobe: a film on a rough ground is not flat
+///   n           sharpness of the lobe: a film follows rough ground and is as flat as that, which no formula says
 ///
 /// `wetness` mixes dry (0) and closed film (1): the share of the area that is covered.
 /// Absorption in the water is left out: a millimetre takes less than 1 % at 905 nm, but half at 1550 nm (Hale & Querry
 /// 1973); films are far thinner, puddles are not.
 /// Source: Lekner & Dorf 1988, doi:10.1364/AO.27.001278 (after Ångström 1925).
 struct WetFilm {
+  static constexpr double kLobeExponent = 100.0;  ///< of a film whose n nobody knows
+
   double wetness = 0.0;
+  double lobe_exponent = kLobeExponent;  ///< n
 
   /// Reflectivity of the diffuse part under a closed film.
   [[nodiscard]] static double diffuseUnderFilm(double dry_reflectivity);

@@ -168,6 +168,18 @@ TEST(WetFilm, WhiteStaysWhiteAndDarkGetsDarker) {
   for (const double cos_in : lab::kIncidences) EXPECT_LE(lab::reflectedShare(brdf, cos_in, Around::kMirror), 1.002);
 }
 
+// A film that follows rougher ground throws back less where it is hit square on and more beside; it takes none.
+TEST(WetFilm, RougherFilmSpreadsTheSameLobe) {
+  const WetFilm flat{.wetness = 1.0, .lobe_exponent = 200.0}, rough{.wetness = 1.0, .lobe_exponent = 20.0};
+  EXPECT_GT(flat.monostaticFactor(0.3, 1.0), rough.monostaticFactor(0.3, 1.0));
+  EXPECT_LT(flat.monostaticFactor(0.3, std::cos(0.25)), rough.monostaticFactor(0.3, std::cos(0.25)));
+  const auto share = [](const WetFilm& film) {
+    return lab::reflectedShare([&](const ReflectionAngles& angles) { return film.brdf(0.3, angles); }, 1.0,
+                               Around::kMirror);
+  };
+  EXPECT_NEAR(share(flat), share(rough), kIntegral);
+}
+
 TEST(WetFilm, DryChangesNothing) {
   for (const double cos_in : lab::kIncidences) EXPECT_DOUBLE_EQ(WetFilm{0.0}.monostaticFactor(0.3, cos_in), 1.0);
   EXPECT_EQ(WetFilm{1.0}.monostaticFactor(0.0, 0.5), 1.0);
