@@ -61,9 +61,43 @@ bool worthMore(const Hypothesis& costly, const std::vector<Hypothesis>& tried, c
   return false;
 }
 
+/// Of the starts that the residual map suggests the nearest one, if it is nearer than that; else empty.
+std::vector<double> nearestStart(const Replay& replay, const Hypothesis& hypothesis, const Evidence& few, double least,
+                                 const WhereResult& where, const core::Progress& progress) {
+  std::vector<double> nearest;
+  for (auto& start : startsFrom(replay, hypothesis, where)) {
+    core::stopIfCancelled(progress);
+    const double distance = discrepancyOf(replay, worldOf(replay, hypothesis, start), few);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = std::move(start);
+  }
+  return nearest;
+}
+
+/// The better of two fits: from where the coarse search ended, and from what the residual map suggests. A sector as
+/// wide as the view may come as near with few samples, and no small step leads from there to where it ends.
+std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, const std::vector<double>& scouted,
+                             const WhereResult& where, const core::Progress& progress) {
+  const Evidence evidence = fittedFor(judge, hypothesis);
+  const auto fit = [&](const std::vector<double>& start) {
+    return fitFrom(judge.replay, hypothesis, evidence, start, progress);
+  };
+  const auto distance = [&](const std::vector<double>& values) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, values), evidence);
+  };
+  std::vector<double> fitted = fit(scouted);
+  const Evidence few = spreadOver(evidence, kScoutedSamples, evidence.most_frames);
+  const std::vector<double> suggested =
+      nearestStart(judge.replay, hypothesis, few, std::numeric_limits<double>::infinity(), where, progress);
+  if (suggested.empty() || suggested == scouted) return fitted;
+  std::vector<double> other = fit(suggested);
+  return distance(other) < distance(fitted) ? other : fitted;
+}
+
 /// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
 /// sector may have ended between two of the few).
-std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const std::vector<WhereRow>& where,
+std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
                               const core::Progress& progress) {
   const Evidence& evidence = judge.split.refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
@@ -72,15 +106,8 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
   if (!candidate.hypothesis.members.empty()) return refined;
   const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
-  std::vector<double> suggested;
-  double nearest = distance(candidate.values, few);
-  for (auto& start : startsFrom(judge.replay, candidate.hypothesis, where)) {
-    core::stopIfCancelled(progress);
-    const double at_start = distance(start, few);
-    if (at_start >= nearest) continue;
-    nearest = at_start;
-    suggested = std::move(start);
-  }
+  std::vector<double> suggested =
+      nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
   if (suggested.empty()) return refined;
   suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
   return distance(suggested, evidence) < distance(refined, evidence) ? suggested : refined;
@@ -178,8 +205,8 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   return yardstick;
 }
 
-std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
-                            const std::vector<WhereRow>& where, core::Progress& progress) {
+std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
+                            core::Progress& progress) {
   std::atomic<std::size_t> done = 0;
   const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
     progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
@@ -206,8 +233,7 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
     Candidate& candidate = candidates[h];
     candidate.hypothesis = tried[h];
     candidate.values = scouted[h].values;
-    if (promising[h])
-      candidate.values = fitFrom(judge.replay, tried[h], fittedFor(judge, tried[h]), scouted[h].values, progress);
+    if (promising[h]) candidate.values = fittedOf(judge, tried[h], scouted[h].values, where, progress);
     judge.hear(candidate);
     report("fitted ", tried[h]);
   });
@@ -215,8 +241,8 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   return candidates;
 }
 
-void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates,
-            const std::vector<WhereRow>& where, const core::Progress& progress) {
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
+            const core::Progress& progress) {
   if (candidates.empty()) return;
   const double enough = candidates.front().merit - kNearlyAsGood;
   std::size_t leaders = 0;

@@ -82,13 +82,13 @@ struct Judge {
 
 /// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
-                                          const std::vector<WhereRow>& where, core::Progress& progress);
+                                          const WhereResult& where, core::Progress& progress);
 
 /// Fits the leaders again with more frames and beams, from where they are and from what the residual map suggests, and
 /// judges them again, by what they leave of the total gap as well; the leaders come first, by merit, and so do the
 /// rest.
-void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates,
-            const std::vector<WhereRow>& where, const core::Progress& progress);
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
+            const core::Progress& progress);
 
 [[nodiscard]] inline bool better(const Candidate& a, const Candidate& b) { return a.merit > b.merit; }
 /// Best merit first.

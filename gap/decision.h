@@ -47,7 +47,7 @@ struct Decision {
 /// `clear`: a gap shows before any cause is tried; otherwise a cause must prove by its own gain that there is one.
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
-                              const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
+                              const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
 /// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one.

@@ -346,7 +346,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   const bool clear = diagnosis.p_value < kSignificance && material;
   const auto hypotheses = options.without.applied(hypothesesFor(quick.replay, options.library));
   Decision decision = decide(clear ? quick : withoutEdges(quick), clear ? exact : withoutEdges(exact), gaps, clear,
-                             where.rows, hypotheses, progress);
+                             where, hypotheses, progress);
   const std::optional<FrameMode> frames = frameModeOf(exact);
   heedFrames(exact, frames, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);

@@ -100,7 +100,7 @@ class Objective {
   [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const {
     std::vector<double> values;
     for (std::size_t i = 0; i < unit.size(); ++i) values.push_back(scales_[i].toValue(unit[i]));
-    return values;
+    return inOrder(hypothesis_.parameters, std::move(values));
   }
   [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const {
     std::vector<double> unit;

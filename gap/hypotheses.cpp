@@ -50,19 +50,11 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   return hypothesis;
 }
 
-/// A sector's ends must be in order; the fit may cross them.
+/// The fit may cross the ends of a sector.
 void orderSector(Hypothesis& hypothesis) {
-  const auto inner = hypothesis.apply;
-  std::size_t from = hypothesis.parameters.size(), to = from;
-  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
-    if (hypothesis.parameters[i].name == "azimuth_from_deg") from = i;
-    if (hypothesis.parameters[i].name == "azimuth_to_deg") to = i;
-  }
-  if (from == hypothesis.parameters.size() || to == hypothesis.parameters.size()) return;
-  hypothesis.apply = [inner, from, to](World& world, const std::vector<double>& values) {
-    std::vector<double> ordered = values;
-    if (ordered[from] > ordered[to]) std::swap(ordered[from], ordered[to]);
-    inner(world, ordered);
+  hypothesis.apply = [inner = hypothesis.apply, parameters = hypothesis.parameters](World& world,
+                                                                                    const std::vector<double>& values) {
+    inner(world, inOrder(parameters, values));
   };
 }
 
@@ -423,6 +415,17 @@ Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
     second(world, {middle, values.end()});
   };
   return both;
+}
+
+std::vector<double> inOrder(const std::vector<FreeParameter>& parameters, std::vector<double> values) {
+  const auto placeOf = [&](const char* name) {
+    const auto found =
+        std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
+    return static_cast<std::size_t>(found - parameters.begin());
+  };
+  const std::size_t from = placeOf("azimuth_from_deg"), to = placeOf("azimuth_to_deg");
+  if (from < values.size() && to < values.size() && values[from] > values[to]) std::swap(values[from], values[to]);
+  return values;
 }
 
 std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {

@@ -130,9 +130,11 @@ class Starts {
 }  // namespace
 
 std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
-                                            const std::vector<WhereRow>& where) {
+                                            const WhereResult& where) {
   const double half_deg = azimuthStep_deg(replay) / 2.0;
-  const auto azimuths = strataOf(where, "azimuth_deg"), ranges = strataOf(where, "range_m");
+  const auto ranges = strataOf(where.rows, "range_m");
+  auto azimuths = strataOf(where.rows, "azimuth_deg");
+  for (const Sector& sector : where.sectors) azimuths.push_back({sector.from_deg + half_deg, sector.to_deg - half_deg});
   Starts starts(hypothesis);
   if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) {
     for (const Stratum& a : azimuths)

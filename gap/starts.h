@@ -11,6 +11,6 @@ namespace gap {
 /// cause: sectors and directions in azimuth from the strata where the gap lies, gates and false targets from strata of
 /// range, the step of a counter from the measured values. Empty for a hypothesis that needs none.
 [[nodiscard]] std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
-                                                          const std::vector<WhereRow>& where);
+                                                          const WhereResult& where);
 
 }  // namespace gap

@@ -6,6 +6,7 @@
 
 #include "gap/covariates.h"
 #include "gap/discrepancy.h"
+#include "gap/sectors.h"
 #include "gap/settle.h"
 #include "gap/statistics.h"
 
@@ -265,6 +266,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);
   result.rows = whereRows(replay, result.tables, simulated);
+  result.sectors = sectorsIn(replay, result.tables);
   result.simulated = std::move(simulated);
   for (const ResidualTable& table : result.tables) {
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});

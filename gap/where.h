@@ -56,11 +56,18 @@ struct ResidualTable {
 [[nodiscard]] std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
                                               const std::vector<std::vector<CellStatistics>>& simulated);
 
+/// Azimuths from one to another.
+struct Sector {
+  double from_deg = 0.0;
+  double to_deg = 0.0;
+};
+
 /// Where a world differs from the measurement, the reference settled within its tolerance.
 struct WhereResult {
   std::vector<WhereRow> rows;
   std::vector<ResidualTable> tables;
   std::vector<std::vector<CellStatistics>> simulated;  ///< [sample][cell]
+  std::vector<Sector> sectors;                         ///< that explain the residuals best (sectors.h)
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
 };
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);

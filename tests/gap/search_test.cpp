@@ -63,12 +63,39 @@ TEST_F(Search, TriesEachOfSeveralMechanismsAlone) {
 TEST_F(Search, FindsAWeakCauseWhereStrongerOnesAreWorseThanNone) {
   measure({{"cover-contamination", {{"attenuation", 0.02}, {"azimuth_from_deg", -8.0}, {"azimuth_to_deg", 4.0}}}});
   const gap::Hypothesis cover = effect("cover-contamination");
-  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1).rows;
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
   const gap::Scouted found =
       gap::scout(*replay_, cover, split_.fitted, gap::startsFrom(*replay_, cover, where), core::SilentProgress());
   ASSERT_EQ(cover.parameters[0].name, "attenuation");
   EXPECT_NEAR(found.values[0], 0.02, 0.012);
   EXPECT_GT(found.gain, 0.0);
+}
+
+// Beams are 1° apart.
+TEST_F(Search, SeesToABeamWhereASectorEnds) {
+  measure({{"cover-contamination", {{"attenuation", 0.05}, {"azimuth_from_deg", -8.4}, {"azimuth_to_deg", 4.4}}}});
+  const auto sectors = gap::whereIn(*replay_, replay_->baseline(), 1).sectors;
+  ASSERT_FALSE(sectors.empty());
+  EXPECT_NEAR(sectors[0].from_deg, -8.4, 0.6);
+  EXPECT_NEAR(sectors[0].to_deg, 4.4, 0.6);
+}
+
+TEST_F(Search, SeesNoSectorWhereNothingDiffers) {
+  measure({});
+  EXPECT_TRUE(gap::whereIn(*replay_, replay_->baseline(), 1).sectors.empty());
+}
+
+// Three frames of four samples do not tell a sector of 34° from the whole view of 40°.
+TEST_F(Search, FitsTheEndsOfASectorThatIsNearlyTheWholeView) {
+  measure({{"cover-contamination", {{"attenuation", 0.02}, {"azimuth_from_deg", -17.4}, {"azimuth_to_deg", 16.4}}}});
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  core::SilentProgress progress;
+  const auto ranked = gap::rank(judge, {effect("cover-contamination")}, where, progress);
+  ASSERT_EQ(ranked[0].hypothesis.parameters[1].name, "azimuth_from_deg");
+  EXPECT_NEAR(ranked[0].values[0], 0.02, 0.005);
+  EXPECT_NEAR(ranked[0].values[1], -17.4, 0.6);
+  EXPECT_NEAR(ranked[0].values[2], 16.4, 0.6);
 }
 
 // A lobe is absent where all of the reflection is diffuse, at the upper end of that share.
