@@ -61,7 +61,7 @@ LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candid
 /// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
 /// nothing: every single cause for which some pair has better values is judged anew with these.
 void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-               const std::vector<WhereRow>& where, std::vector<Candidate>& singles, const core::Progress& progress) {
+               const WhereResult& where, std::vector<Candidate>& singles, const core::Progress& progress) {
   std::map<Form, std::vector<Candidate>> members;
   for (const Candidate& pair : pairs) {
     for (Candidate& member : membersOf(pair)) members[formOf(member.hypothesis)].push_back(std::move(member));
@@ -130,15 +130,16 @@ double separationOf(double twice_log_ratio, const Candidate& best, const Candida
 }
 
 /// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
-/// samples and takes no more to say it.
+/// samples, by more than what it takes more to say it.
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
   const double least_merit = candidates.front().merit - kFarBehind;
   for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
     const Candidate &best = candidates.front(), &other = candidates[i];
-    const bool no_more = choicesIn(other) <= choicesIn(best);
     const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
-    if (other.hypothesis.name == best.hypothesis.name || !no_more || !as_much) continue;
-    if (separationOnAll(quick, exact, other, best, kTie) < kApart) continue;
+    if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
+    const double more_choices = std::max(0.0, choicesIn(other) - choicesIn(best));
+    const double apart = separationOnAll(quick, exact, other, best, kTie);
+    if (apart < std::sqrt(kApart * kApart + 2.0 * Judge::kNatsPerNumber * more_choices)) continue;
     const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(candidates.begin(), place, place + 1);
   }
@@ -178,7 +179,7 @@ std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::v
 
 /// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
 std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-                                   const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
+                                   const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                                    core::Progress& progress) {
   core::PartOfProgress part(progress, 0.1, 0.6);
   std::vector<Candidate> singles = rank(quick, hypotheses, where, part);
@@ -192,8 +193,7 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
 
 /// The steps of a counter that the values show are there beside whatever else is missing, and cell means hardly feel
 /// them: with the best cause they make a pair, unless cells agree less than with that cause alone.
-std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOutGaps& gaps,
-                                               const std::vector<WhereRow>& where,
+std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOutGaps& gaps, const WhereResult& where,
                                                const std::vector<Candidate>& singles, const core::Progress& progress) {
   const Candidate& best = singles.front();
   const auto seen = std::find_if(singles.begin(), singles.end(),
@@ -249,8 +249,8 @@ class Proofs {
 };
 
 /// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
-void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-                          const std::vector<WhereRow>& where, Decision& decision, const core::Progress& progress) {
+void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                          Decision& decision, const core::Progress& progress) {
   decision.kind = VerdictKind::kNone;
   std::vector<Candidate> proven, others;
   double p_value = 1.0;
@@ -295,25 +295,54 @@ double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * noiseOfShare(yardstick));
 }
 
+/// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
+/// the gap that is.
+bool leavesNothing(const Judge& judge, double rest_of_single_z, const Candidate& single, const Candidate& pair) {
+  return rest_of_single_z > kNoRest && pair.total_left < kPairGain * single.total_left && restOf(judge, pair) < kNoRest;
+}
+
+/// Of pairs that the data cannot tell from the best one, one of two effects before one with a recalibration: it would
+/// not be named, and the effect in its place would be missed.
+void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs) {
+  const auto effectsIn = [](const Candidate& pair) {
+    return std::count_if(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
+                         [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; });
+  };
+  for (std::size_t i = 1; i < pairs.size() && i <= kRivals; ++i) {
+    const Candidate &best = pairs.front(), &other = pairs[i];
+    if (other.merit < best.merit - kFarBehind) break;
+    if (effectsIn(other) <= effectsIn(best) || choicesIn(other) > choicesIn(best)) continue;
+    if (separationOnAll(quick, exact, best, other, kTie) < kApart) std::swap(pairs.front(), pairs[i]);
+  }
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
-bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where,
+bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
   const double noise = noiseOfShare(exact.yardstick);
-  if (!roomForASecond(leftBy(decision.singles.front()), noise)) return false;
+  const LeftOver left = leftBy(decision.singles.front());
+  const bool room =
+      roomForASecond(left, noise) || (left.total > kMaterialRest && restOf(exact, decision.singles.front()) > kNoRest);
+  if (!room) return false;
   core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, part);
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
   polish(exact, gaps, pairs, where, progress);
-  if (pairs.empty() || exact.accountedFor(pairs.front()) < enoughToName(exact.yardstick)) return false;
+  if (pairs.empty()) return false;
+  leadByAll(quick, exact, pairs);
+  leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
-  const bool earned = earnsItsSecond(leftBy(best), leftBy(pair), noise) && pair.total_left <= kMostRestOfPair &&
-                      separation(exact, pair, best) >= kSecondProven;
+  if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
+      separation(exact, pair, best) < kSecondProven)
+    return false;
+  const bool earned =
+      earnsItsSecond(leftBy(best), leftBy(pair), noise) || leavesNothing(exact, restOf(exact, best), best, pair);
   if (earned) decision.name(pair);
   return earned;
 }
 
 /// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
-void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const std::vector<WhereRow>& where,
+void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                  Decision& decision, const core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
   const Candidate& best = decision.singles.front();
@@ -391,9 +420,8 @@ std::vector<std::string> Decision::beside() const {
   return others;
 }
 
-Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
-                const std::vector<WhereRow>& where, const std::vector<Hypothesis>& hypotheses,
-                core::Progress& progress) {
+Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear, const WhereResult& where,
+                const std::vector<Hypothesis>& hypotheses, core::Progress& progress) {
   Decision decision;
   decision.singles = rankedAlone(quick, exact, gaps, where, hypotheses, progress);
   if (decision.singles.empty()) {

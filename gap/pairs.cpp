@@ -33,6 +33,15 @@ struct Atom {
   std::vector<double> values;
 };
 
+/// A cause where another one is already at work.
+Hypothesis inWorldOf(const Hypothesis& first, const std::vector<double>& values, Hypothesis second) {
+  second.apply = [&first, &values, apply = second.apply](World& world, const std::vector<double>& of_second) {
+    first.apply(world, values);
+    apply(world, of_second);
+  };
+  return second;
+}
+
 /// A pair of causes to begin a joint fit with.
 struct Guess {
   std::size_t first = 0, second = 0;  ///< singles
@@ -50,7 +59,7 @@ class PairSearch {
         progress_(progress) {}
 
   [[nodiscard]] std::vector<Candidate> run() {
-    std::vector<Guess> guesses = nearestSums();
+    std::vector<Guess> guesses;
     std::vector<std::string> partnered;
     for (std::size_t i = 0; i < singles_.size() && partnered.size() < kPartnered; ++i) {
       const std::string& name = singles_[i].hypothesis.name;
@@ -58,6 +67,7 @@ class PairSearch {
       partnered.push_back(name);
       append(guesses, partnersOf(i, singles_[i].values));
     }
+    append(guesses, nearestSums());  // of one pair the first guess is taken: these are the coarsest
     append(guesses, besideRecalibration());
     fit(std::move(guesses));
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
@@ -92,7 +102,7 @@ class PairSearch {
   }
 
   /// Every cause at its fitted values, at others all over its range, and where `rest` suggests.
-  [[nodiscard]] std::vector<Atom> atomsFor(const std::vector<WhereRow>& rest) const {
+  [[nodiscard]] std::vector<Atom> atomsFor(const WhereResult& rest) const {
     std::vector<Atom> atoms;
     for (std::size_t i = 0; i < singles_.size(); ++i) {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
@@ -110,7 +120,7 @@ class PairSearch {
     const auto columnOf = [](const Signature& signature) {
       return Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
     };
-    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), scouted_.seed).rows);
+    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), scouted_.seed));
     Eigen::MatrixXf signatures(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(atoms.size()));
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
@@ -137,10 +147,32 @@ class PairSearch {
     return nearestOf(std::move(guesses), kSumsFitted);
   }
 
-  /// What goes best with a cause at these values.
+  /// What goes best with a cause at these values: the coarse search that single causes begin with, in a world that has
+  /// this one.
   [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
     const Hypothesis& hypothesis = singles_[first].hypothesis;
-    std::vector<Atom> atoms = atomsFor(whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed).rows);
+    const auto where = whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < singles_.size(); ++i) {
+      if (pairable(first, i)) others.push_back(i);
+    }
+    std::vector<Guess> guesses(others.size());
+    core::parallelFor(others.size(), 1, [&](std::size_t o, std::size_t) {
+      const Candidate& other = singles_[others[o]];
+      std::vector<std::vector<double>> starts = startsFrom(judge_.replay, other.hypothesis, where);
+      starts.push_back(other.values);
+      const Hypothesis beside = inWorldOf(hypothesis, values, other.hypothesis);
+      const std::vector<double> found = scout(scout_, beside, scouted_, starts, progress_).values;
+      const double distance = discrepancyOf(scout_, worldOf(scout_, beside, found), scouted_);
+      guesses[o] = {first, others[o], joined(values, found), distance};
+    });
+    return nearestOf(std::move(guesses), kPartnersFitted);
+  }
+
+  /// The same by a look at some values of each cause only.
+  [[nodiscard]] std::vector<Guess> likelyPartnersOf(std::size_t first, const std::vector<double>& values) const {
+    const Hypothesis& hypothesis = singles_[first].hypothesis;
+    std::vector<Atom> atoms = atomsFor(whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed));
     std::erase_if(atoms, [&](const Atom& atom) { return !pairable(first, atom.single); });
     std::vector<double> distances(atoms.size());
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
@@ -167,7 +199,7 @@ class PairSearch {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
       if (hypothesis.kind != CauseKind::kParameter || !hypothesis.name.ends_with("/peak_power_w")) continue;
       for (const double factor : kRecalibrations)
-        append(guesses, partnersOf(i, {hypothesis.parameters[0].start * factor}));
+        append(guesses, likelyPartnersOf(i, {hypothesis.parameters[0].start * factor}));
     }
     return nearestOf(std::move(guesses), kPartnersFitted);
   }

@@ -85,6 +85,10 @@ double restOf(const Judge& judge, const World& world, std::size_t runs) {
   return Distribution(rests).z(discrepancyOf(judge.replay, world, held_out));
 }
 
+double restOf(const Judge& judge, const Candidate& candidate) {
+  return restOf(judge, worldOf(judge.replay, candidate.hypothesis, candidate.values), kRuns);
+}
+
 Significance significanceOf(const NullRuns::Gains& gains, double rest_z) {
   const std::size_t parts = gains.observed.size();
   const auto best =

@@ -50,6 +50,7 @@ class NullRuns {
 [[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
 /// What is left by a world on held-out data, against as many measurements drawn from itself.
 [[nodiscard]] double restOf(const Judge& judge, const World& world, std::size_t runs);
+[[nodiscard]] double restOf(const Judge& judge, const Candidate& candidate);
 [[nodiscard]] Significance significanceOf(const NullRuns::Gains& gains, double rest_z);
 [[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls);
 
