@@ -129,14 +129,35 @@ TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
   EXPECT_NEAR(diagnosis.causes.front().setups.at("r19").value, 0.0, 0.005);
 }
 
-TEST(Diagnose, NamesBothOfTwoEffectsThoughOneIsSmallBesideTheOther) {
+/// In alphabetical order.
+std::vector<std::string> namedFor(const SmallWorld::Effects& truth) {
   const SmallWorld world;
-  const auto truth = SmallWorld::modelWith(
-      {{"atmospheric-attenuation", {{"visibility_m", 400}}}, {"detection-loss", {{"probability", 0.08}}}});
-  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
-  std::vector<std::string> names = diagnosis.verdict.names;
+  const auto measured = world.measuredBy(SmallWorld::modelWith(truth), 0.4);
+  std::vector<std::string> names = diagnosed(measured, SmallWorld::modelWith({})).verdict.names;
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"atmospheric-attenuation", "detection-loss"}));
+  return names;
+}
+
+TEST(Diagnose, NamesBothOfTwoEffectsThoughOneIsSmallBesideTheOther) {
+  EXPECT_EQ(
+      namedFor({{"atmospheric-attenuation", {{"visibility_m", 400}}}, {"detection-loss", {{"probability", 0.08}}}}),
+      (std::vector<std::string>{"atmospheric-attenuation", "detection-loss"}));
+}
+
+// The fit of the dirt alone takes lost detections for dirt; where it ends, the residuals beside the losses say.
+TEST(Diagnose, NamesASectorOfWeakDirtBesideLostDetections) {
+  EXPECT_EQ(
+      namedFor({{"cover-contamination", {{"attenuation", 0.02}, {"azimuth_from_deg", -3.4}, {"azimuth_to_deg", 11.4}}},
+                {"detection-loss", {{"probability", 0.2}}}}),
+      (std::vector<std::string>{"cover-contamination", "detection-loss"}));
+}
+
+// A warm detector is a larger `noise_w`, which does as well beside the dirt, but would not be named.
+TEST(Diagnose, NamesTwoEffectsWhereAWrongNumberBesideOneWouldDoAsWell) {
+  EXPECT_EQ(
+      namedFor({{"cover-contamination", {{"attenuation", 0.1}, {"azimuth_from_deg", -3.4}, {"azimuth_to_deg", 11.4}}},
+                {"thermal-noise", {{"temperature_degC", 45.0}}}}),
+      (std::vector<std::string>{"cover-contamination", "thermal-noise"}));
 }
 
 TEST(Diagnose, SaysNoneWhereEverySetUpStandsElsewhereWithinItsTolerance) {

@@ -54,6 +54,14 @@ TEST(Hypotheses, AnEffectIsTriedInEveryFormThatItDeclares) {
 }
 
 // What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
+TEST(Hypotheses, EndsOfASectorThatASearchCrossedStandInOrder) {
+  const std::vector<gap::FreeParameter> cover{
+      {.name = "attenuation"}, {.name = "azimuth_from_deg"}, {.name = "azimuth_to_deg"}};
+  EXPECT_EQ(gap::inOrder(cover, {0.9, 20.0, -5.0}), (std::vector<double>{0.9, -5.0, 20.0}));
+  EXPECT_EQ(gap::inOrder(cover, {0.9, -5.0, 20.0}), (std::vector<double>{0.9, -5.0, 20.0}));
+  EXPECT_EQ(gap::inOrder({{.name = "factor"}, {.name = "window"}}, {9.0, 5.0}), (std::vector<double>{9.0, 5.0}));
+}
+
 TEST(Hypotheses, AReferenceIsWrongOnlyBeyondWhatIsRecordedOfIt) {
   SmallWorld world;
   const auto model = SmallWorld::modelWith({});
