@@ -29,13 +29,9 @@ constexpr double kByChance = 0.01;       // that any of the causes tried gains s
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
 constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
-constexpr double kApart = 1.5;           // standard deviations of the paired difference of two causes
-constexpr double kFarBehind = 0.15;      // in merit: no rival, however alike in single cells
-constexpr std::size_t kRivals = 5;
-constexpr std::size_t kLookedAt = 8;  // of best merit, and as many that gain most: they may prove themselves
-constexpr double kWorthALook = 1.0;   // standard deviations of the gain with few beams: with all it takes four of them
+constexpr std::size_t kLookedAt = 8;     // of best merit, and as many that gain most: they may prove themselves
+constexpr double kWorthALook = 1.0;  // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
-constexpr double kTie = 0.03;           // of what there is to explain: causes this close cannot be told apart
 
 VerdictKind kindOf(CauseKind kind) {
   switch (kind) {
@@ -109,72 +105,6 @@ bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) 
 /// leave.
 bool nothingElse(const Significance& significance, std::size_t causes) {
   return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
-}
-
-/// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
-/// mechanisms, of which one is at work), and the choice of a form other than its usual one.
-double choicesIn(const Candidate& candidate) {
-  constexpr double kNothing = 0.01;  // of the range
-  double count = candidate.hypothesis.variant.empty() ? 0.0 : 1.0;
-  for (std::size_t i = 0; i < candidate.values.size(); ++i) {
-    const FreeParameter& p = candidate.hypothesis.parameters[i];
-    count += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
-  }
-  return count;
-}
-
-/// Twice the logarithm of a likelihood ratio is the square of its z; every choice more makes a rival less likely.
-double separationOf(double twice_log_ratio, const Candidate& best, const Candidate& rival) {
-  const double more_choices = std::max(0.0, choicesIn(rival) - choicesIn(best));
-  return std::sqrt(std::max(0.0, twice_log_ratio + 2.0 * Judge::kNatsPerNumber * more_choices));
-}
-
-/// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
-/// samples, by more than what it takes more to say it.
-void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
-  const double least_merit = candidates.front().merit - kFarBehind;
-  for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
-    const Candidate &best = candidates.front(), &other = candidates[i];
-    const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
-    if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
-    const double more_choices = std::max(0.0, choicesIn(other) - choicesIn(best));
-    const double apart = separationOnAll(quick, exact, other, best, kTie);
-    if (apart < std::sqrt(kApart * kApart + 2.0 * Judge::kNatsPerNumber * more_choices)) continue;
-    const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
-    std::rotate(candidates.begin(), place, place + 1);
-  }
-}
-
-/// Those of other names, of each name the first one.
-std::vector<const Candidate*> othersThan(const Candidate& best, const std::vector<Candidate>& candidates) {
-  std::vector<const Candidate*> others;
-  for (const Candidate& candidate : candidates) {
-    const std::string& name = candidate.hypothesis.name;
-    const bool known = std::any_of(others.begin(), others.end(),
-                                   [&](const Candidate* other) { return other->hypothesis.name == name; });
-    if (name != best.hypothesis.name && !known) others.push_back(&candidate);
-  }
-  return others;
-}
-
-/// How well the best one is told from some others, the likeliest first.
-std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Candidate& best,
-                               std::vector<const Candidate*> others) {
-  if (others.size() > kRivals) others.resize(kRivals);
-  std::vector<Rival> rivals;
-  for (const Candidate* other : others) {
-    const double apart = std::max(0.0, separationOnAll(quick, exact, best, *other, kTie));
-    rivals.push_back({other->hypothesis.name, separationOf(apart * apart, best, *other)});
-  }
-  return rivals;
-}
-
-/// From each cause that comes near to the best one.
-std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
-  const Candidate& best = candidates.front();
-  std::vector<const Candidate*> others = othersThan(best, candidates);
-  std::erase_if(others, [&](const Candidate* other) { return other->merit < best.merit - kFarBehind; });
-  return rivalsAmong(quick, exact, best, std::move(others));
 }
 
 /// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
@@ -281,8 +211,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   // What did not prove itself may still come as near: it only has more to pay, or its own share of luck.
   sortByMerit(others);
   std::move(others.begin(), others.end(), std::back_inserter(decision.singles));
-  const Candidate& best = decision.singles.front();
-  decision.rivals = rivalsAmong(quick, exact, best, othersThan(best, decision.singles));
+  decision.rivals = rivalsOfAll(quick, exact, decision.singles);
 }
 
 /// Noise of the share of the gap that a cause explains.
@@ -299,21 +228,6 @@ double enoughToName(const Yardstick& yardstick) {
 /// the gap that is.
 bool leavesNothing(const Judge& judge, double rest_of_single_z, const Candidate& single, const Candidate& pair) {
   return rest_of_single_z > kNoRest && pair.total_left < kPairGain * single.total_left && restOf(judge, pair) < kNoRest;
-}
-
-/// Of pairs that the data cannot tell from the best one, one of two effects before one with a recalibration: it would
-/// not be named, and the effect in its place would be missed.
-void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs) {
-  const auto effectsIn = [](const Candidate& pair) {
-    return std::count_if(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
-                         [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; });
-  };
-  for (std::size_t i = 1; i < pairs.size() && i <= kRivals; ++i) {
-    const Candidate &best = pairs.front(), &other = pairs[i];
-    if (other.merit < best.merit - kFarBehind) break;
-    if (effectsIn(other) <= effectsIn(best) || choicesIn(other) > choicesIn(best)) continue;
-    if (separationOnAll(quick, exact, best, other, kTie) < kApart) std::swap(pairs.front(), pairs[i]);
-  }
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -386,7 +300,7 @@ std::vector<double> confidencesOf(const Decision& decision, double belief) {
 std::vector<std::string> Decision::ties() const {
   std::vector<std::string> names;
   for (const Rival& rival : rivals) {
-    if (rival.separation < kApart) names.push_back(rival.name);
+    if (rival.tied()) names.push_back(rival.name);
   }
   return names;
 }

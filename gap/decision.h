@@ -7,19 +7,13 @@
 #include "gap/candidates.h"
 #include "gap/diagnosis.h"
 #include "gap/how_far.h"
+#include "gap/rivals.h"
 
 namespace gap {
 
 /// Of the gap, explained: such a cause need not shrink the pooled gap. Pooled data hide what evens out, and of what a
 /// gate leaves in one sample they make much.
 inline constexpr double kNearlyAllCells = 0.95;
-
-/// A cause that comes near to the best one.
-struct Rival {
-  std::string name;
-  double separation = 0.0;  ///< how much farther from held-out data, in standard deviations of that difference, and
-                            ///< what its further free numbers cost; 0: as near
-};
 
 /// What the search for causes ended with.
 struct Decision {
