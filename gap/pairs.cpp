@@ -26,21 +26,14 @@ constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of 
 constexpr int kExchanges = 2;
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 constexpr std::size_t kScoutBeams = 120;
+constexpr std::size_t kLookedAt =
+    16;  // causes whose sums come nearest, and best alone: of these the discrepancy is computed
 
 /// A cause at certain values.
 struct Atom {
   std::size_t single = 0;
   std::vector<double> values;
 };
-
-/// A cause where another one is already at work.
-Hypothesis inWorldOf(const Hypothesis& first, const std::vector<double>& values, Hypothesis second) {
-  second.apply = [&first, &values, apply = second.apply](World& world, const std::vector<double>& of_second) {
-    first.apply(world, values);
-    apply(world, of_second);
-  };
-  return second;
-}
 
 /// A pair of causes to begin a joint fit with.
 struct Guess {
@@ -55,8 +48,11 @@ class PairSearch {
       : judge_(judge),
         scout_(judge.replay.thinner(kScoutBeams)),
         scouted_(spreadOver(judge.split.fitted, kScoutSamples, kScoutFrames)),
+        space_(scout_, scouted_.samples, kScoutFrames, scouted_.seed),
         singles_(singles),
-        progress_(progress) {}
+        progress_(progress) {
+    lookAtAtoms();
+  }
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
@@ -93,7 +89,8 @@ class PairSearch {
   [[nodiscard]] std::size_t numbersOf(std::size_t single) const {
     return singles_[single].hypothesis.parameters.size();
   }
-  static void append(std::vector<Guess>& to, std::vector<Guess> more) {
+  template <typename T>
+  static void append(std::vector<T>& to, std::vector<T> more) {
     std::move(more.begin(), more.end(), std::back_inserter(to));
   }
   [[nodiscard]] bool pairable(std::size_t a, std::size_t b) const {
@@ -101,45 +98,48 @@ class PairSearch {
     return a != b && !x.per_setup && !y.per_setup && x.name != y.name;
   }
 
-  /// Every cause at its fitted values, at others all over its range, and where `rest` suggests.
-  [[nodiscard]] std::vector<Atom> atomsFor(const WhereResult& rest) const {
-    std::vector<Atom> atoms;
+  /// Every cause at its fitted values, at others all over its range, and where the residuals suggest, with what each
+  /// does to the data.
+  void lookAtAtoms() {
+    const WhereResult where = whereIn(scout_, scout_.baseline(), scouted_.seed);
     for (std::size_t i = 0; i < singles_.size(); ++i) {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
       if (hypothesis.per_setup) continue;
-      atoms.push_back({i, singles_[i].values});
-      for (auto& values : valuesAllOver(hypothesis)) atoms.push_back({i, std::move(values)});
-      for (auto& values : startsFrom(judge_.replay, hypothesis, rest)) atoms.push_back({i, std::move(values)});
+      atoms_.push_back({i, singles_[i].values});
+      for (auto& values : valuesAllOver(hypothesis)) atoms_.push_back({i, std::move(values)});
+      append(atoms_, suggestedFor(i, where));
     }
+    signatures_.resize(static_cast<Eigen::Index>(space_.size()), static_cast<Eigen::Index>(atoms_.size()));
+    core::parallelFor(atoms_.size(), 1, [&](std::size_t a, std::size_t) {
+      core::stopIfCancelled(progress_);
+      const World world = worldOf(scout_, singles_[atoms_[a].single].hypothesis, atoms_[a].values);
+      signatures_.col(static_cast<Eigen::Index>(a)) = columnOf(space_.of(world));
+    });
+  }
+  [[nodiscard]] std::vector<Atom> suggestedFor(std::size_t single, const WhereResult& where) const {
+    std::vector<Atom> atoms;
+    for (auto& values : startsFrom(judge_.replay, singles_[single].hypothesis, where))
+      atoms.push_back({single, std::move(values)});
     return atoms;
+  }
+  [[nodiscard]] static Eigen::VectorXf columnOf(const Signature& signature) {
+    return Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
   }
 
   /// Pairs of causes by the distance of their summed signatures from the measurement.
   [[nodiscard]] std::vector<Guess> nearestSums() const {
-    const SignatureSpace space(scout_, scouted_.samples, kScoutFrames, scouted_.seed);
-    const auto columnOf = [](const Signature& signature) {
-      return Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
-    };
-    const std::vector<Atom> atoms = atomsFor(whereIn(scout_, scout_.baseline(), scouted_.seed));
-    Eigen::MatrixXf signatures(static_cast<Eigen::Index>(space.size()), static_cast<Eigen::Index>(atoms.size()));
-    core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
-      core::stopIfCancelled(progress_);
-      const World world = worldOf(scout_, singles_[atoms[a].single].hypothesis, atoms[a].values);
-      const Signature signature = space.of(world);
-      signatures.col(static_cast<Eigen::Index>(a)) = columnOf(signature);
-    });
-    const Eigen::MatrixXf products = signatures.transpose() * signatures;
-    const Eigen::VectorXf along = signatures.transpose() * columnOf(space.ofMeasurement());
+    const Eigen::MatrixXf products = signatures_.transpose() * signatures_;
+    const Eigen::VectorXf along = signatures_.transpose() * columnOf(space_.ofMeasurement());
     std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
-    for (std::size_t a = 0; a < atoms.size(); ++a) {
-      for (std::size_t b = a + 1; b < atoms.size(); ++b) {
-        if (!pairable(atoms[a].single, atoms[b].single)) continue;
+    for (std::size_t a = 0; a < atoms_.size(); ++a) {
+      for (std::size_t b = a + 1; b < atoms_.size(); ++b) {
+        if (!pairable(atoms_[a].single, atoms_[b].single)) continue;
         const auto x = static_cast<Eigen::Index>(a), y = static_cast<Eigen::Index>(b);
         const double distance =
             static_cast<double>(products(x, x) + products(y, y) + 2.0F * products(x, y) - 2.0F * (along(x) + along(y)));
-        const auto [known, added] = nearest.try_emplace({atoms[a].single, atoms[b].single});
+        const auto [known, added] = nearest.try_emplace({atoms_[a].single, atoms_[b].single});
         if (!added && distance >= known->second.distance) continue;
-        known->second = {atoms[a].single, atoms[b].single, joined(atoms[a].values, atoms[b].values), distance};
+        known->second = {atoms_[a].single, atoms_[b].single, joined(atoms_[a].values, atoms_[b].values), distance};
       }
     }
     std::vector<Guess> guesses;
@@ -147,33 +147,42 @@ class PairSearch {
     return nearestOf(std::move(guesses), kSumsFitted);
   }
 
-  /// What goes best with a cause at these values: the coarse search that single causes begin with, in a world that has
-  /// this one.
-  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
-    const Hypothesis& hypothesis = singles_[first].hypothesis;
-    const auto where = whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed);
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < singles_.size(); ++i) {
-      if (pairable(first, i)) others.push_back(i);
+  /// Atoms of the causes that, added to what this one does, come nearest to the measurement, and of those that are best
+  /// alone: echoes from nowhere are in no signature.
+  [[nodiscard]] std::vector<Atom> likelyBeside(std::size_t first, const World& world) const {
+    const Eigen::VectorXf left = columnOf(space_.ofMeasurement()) - columnOf(space_.of(world));
+    const Eigen::VectorXf distances = (signatures_.colwise() - left).colwise().squaredNorm();
+    std::map<std::size_t, float> nearest;
+    for (std::size_t a = 0; a < atoms_.size(); ++a) {
+      if (!pairable(first, atoms_[a].single)) continue;
+      const float distance = distances[static_cast<Eigen::Index>(a)];
+      const auto [known, added] = nearest.try_emplace(atoms_[a].single, distance);
+      if (!added) known->second = std::min(known->second, distance);
     }
-    std::vector<Guess> guesses(others.size());
-    core::parallelFor(others.size(), 1, [&](std::size_t o, std::size_t) {
-      const Candidate& other = singles_[others[o]];
-      std::vector<std::vector<double>> starts = startsFrom(judge_.replay, other.hypothesis, where);
-      starts.push_back(other.values);
-      const Hypothesis beside = inWorldOf(hypothesis, values, other.hypothesis);
-      const std::vector<double> found = scout(scout_, beside, scouted_, starts, progress_).values;
-      const double distance = discrepancyOf(scout_, worldOf(scout_, beside, found), scouted_);
-      guesses[o] = {first, others[o], joined(values, found), distance};
-    });
-    return nearestOf(std::move(guesses), kPartnersFitted);
+    std::vector<std::pair<float, std::size_t>> order;
+    for (const auto& [single, distance] : nearest) order.emplace_back(distance, single);
+    std::sort(order.begin(), order.end());
+    if (order.size() > kLookedAt) order.resize(kLookedAt);
+    std::set<std::size_t> chosen;
+    for (std::size_t i = 0; i < std::min(kLookedAt, singles_.size()); ++i) chosen.insert(i);
+    for (const auto& [distance, single] : order) chosen.insert(single);
+    std::vector<Atom> likely;
+    std::copy_if(atoms_.begin(), atoms_.end(), std::back_inserter(likely),
+                 [&](const Atom& atom) { return chosen.contains(atom.single) && pairable(first, atom.single); });
+    return likely;
   }
 
-  /// The same by a look at some values of each cause only.
-  [[nodiscard]] std::vector<Guess> likelyPartnersOf(std::size_t first, const std::vector<double>& values) const {
+  /// What goes best with a cause at these values, of those that its residuals suggest as well if they are looked at.
+  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values,
+                                              bool by_residuals = true) const {
     const Hypothesis& hypothesis = singles_[first].hypothesis;
-    std::vector<Atom> atoms = atomsFor(whereIn(scout_, worldOf(scout_, hypothesis, values), scouted_.seed));
-    std::erase_if(atoms, [&](const Atom& atom) { return !pairable(first, atom.single); });
+    const World world = worldOf(scout_, hypothesis, values);
+    std::vector<Atom> atoms = likelyBeside(first, world);
+    if (by_residuals) {
+      const WhereResult where = whereIn(scout_, world, scouted_.seed);
+      for (std::size_t i = 0; i < singles_.size(); ++i)
+        if (pairable(first, i)) append(atoms, suggestedFor(i, where));
+    }
     std::vector<double> distances(atoms.size());
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
@@ -199,7 +208,7 @@ class PairSearch {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
       if (hypothesis.kind != CauseKind::kParameter || !hypothesis.name.ends_with("/peak_power_w")) continue;
       for (const double factor : kRecalibrations)
-        append(guesses, likelyPartnersOf(i, {hypothesis.parameters[0].start * factor}));
+        append(guesses, partnersOf(i, {hypothesis.parameters[0].start * factor}, false));
     }
     return nearestOf(std::move(guesses), kPartnersFitted);
   }
@@ -254,6 +263,9 @@ class PairSearch {
   const Judge& judge_;
   const Replay scout_;  ///< fewer beams still: many worlds are looked at before few are fitted
   const Evidence scouted_;
+  const SignatureSpace space_;
+  std::vector<Atom> atoms_;
+  Eigen::MatrixXf signatures_;  ///< of the atoms, a column each
   const std::vector<Candidate>& singles_;
   core::Progress& progress_;
   std::vector<Fitted> pairs_;
