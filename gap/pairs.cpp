@@ -172,17 +172,19 @@ class PairSearch {
     return likely;
   }
 
-  /// What goes best with a cause at these values, of those that its residuals suggest as well if they are looked at.
-  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values,
-                                              bool by_residuals = true) const {
-    const Hypothesis& hypothesis = singles_[first].hypothesis;
-    const World world = worldOf(scout_, hypothesis, values);
+  /// What goes best with a cause at these values.
+  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const {
+    const World world = worldOf(scout_, singles_[first].hypothesis, values);
     std::vector<Atom> atoms = likelyBeside(first, world);
-    if (by_residuals) {
-      const WhereResult where = whereIn(scout_, world, scouted_.seed);
-      for (std::size_t i = 0; i < singles_.size(); ++i)
-        if (pairable(first, i)) append(atoms, suggestedFor(i, where));
-    }
+    const WhereResult where = whereIn(scout_, world, scouted_.seed);
+    for (std::size_t i = 0; i < singles_.size(); ++i)
+      if (pairable(first, i)) append(atoms, suggestedFor(i, where));
+    return nearestPartners(first, values, atoms);
+  }
+
+  [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
+                                                   const std::vector<Atom>& atoms) const {
+    const Hypothesis& hypothesis = singles_[first].hypothesis;
     std::vector<double> distances(atoms.size());
     core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
@@ -207,8 +209,10 @@ class PairSearch {
     for (std::size_t i = 0; i < singles_.size(); ++i) {
       const Hypothesis& hypothesis = singles_[i].hypothesis;
       if (hypothesis.kind != CauseKind::kParameter || !hypothesis.name.ends_with("/peak_power_w")) continue;
-      for (const double factor : kRecalibrations)
-        append(guesses, partnersOf(i, {hypothesis.parameters[0].start * factor}, false));
+      for (const double factor : kRecalibrations) {
+        const std::vector<double> values{hypothesis.parameters[0].start * factor};
+        append(guesses, nearestPartners(i, values, likelyBeside(i, worldOf(scout_, hypothesis, values))));
+      }
     }
     return nearestOf(std::move(guesses), kPartnersFitted);
   }
