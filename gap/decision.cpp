@@ -226,8 +226,9 @@ double enoughToName(const Yardstick& yardstick) {
 
 /// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
 /// the gap that is.
-bool leavesNothing(const Judge& judge, double rest_of_single_z, const Candidate& single, const Candidate& pair) {
-  return rest_of_single_z > kNoRest && pair.total_left < kPairGain * single.total_left && restOf(judge, pair) < kNoRest;
+bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  return pair.total_left < kPairGain * single.total_left && restOf(judge, single) > kNoRest &&
+         restOf(judge, pair) < kNoRest;
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -249,8 +250,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
       separation(exact, pair, best) < kSecondProven)
     return false;
-  const bool earned =
-      earnsItsSecond(leftBy(best), leftBy(pair), noise) || leavesNothing(exact, restOf(exact, best), best, pair);
+  const bool earned = earnsItsSecond(leftBy(best), leftBy(pair), noise) || leavesNothing(exact, best, pair);
   if (earned) decision.name(pair);
   return earned;
 }

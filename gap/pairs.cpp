@@ -26,8 +26,7 @@ constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of 
 constexpr int kExchanges = 2;
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 constexpr std::size_t kScoutBeams = 120;
-constexpr std::size_t kLookedAt =
-    16;  // causes whose sums come nearest, and best alone: of these the discrepancy is computed
+constexpr std::size_t kLookedAt = 16;  // causes whose sums come nearest, and as many that are best alone
 
 /// A cause at certain values.
 struct Atom {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "core/physics.h"
 
@@ -86,8 +85,8 @@ TwoMeans bestSplit(const std::vector<Bin>& bins) {
 }  // namespace
 
 std::vector<Sector> sectorsIn(const Replay& replay, const std::vector<ResidualTable>& tables) {
+  if (replay.samples().front().layout->pooled()) return {};  // nobody knows where its detections are
   std::vector<TwoMeans> splits;
-  if (replay.samples().front().layout->pooled()) return {};
   for (const ResidualTable& table : tables) {
     const std::vector<Bin> bins = binsOf(replay, table);
     if (bins.size() < 2) continue;
@@ -95,10 +94,9 @@ std::vector<Sector> sectorsIn(const Replay& replay, const std::vector<ResidualTa
     if (split.gain > kLeastGain) splits.push_back(split);
   }
   std::stable_sort(splits.begin(), splits.end(), [](const TwoMeans& a, const TwoMeans& b) { return a.gain > b.gain; });
+  if (splits.size() > kMostSectors) splits.resize(kMostSectors);
   std::vector<Sector> sectors;
-  for (const TwoMeans& split : splits) {
-    if (sectors.size() < kMostSectors) sectors.push_back(split.sector);
-  }
+  for (const TwoMeans& split : splits) sectors.push_back(split.sector);
   return sectors;
 }
 

@@ -61,8 +61,8 @@ class NullRuns {
 /// first were right. Below two the data hardly tell them apart.
 [[nodiscard]] double separation(const Judge& judge, const Candidate& best, const Candidate& rival);
 /// The same on the samples that both were fitted to as well, which is fair if both have as many free numbers. `quick`
-/// sees some of the beams: enough for these samples. 0 if the rival is farther by no more than the share `alike` of
-/// what the first explains, on either part of the samples.
+/// sees some of the beams: enough for these samples. Edges take part where they do on held-out samples. 0 if the rival
+/// is farther by no more than the share `alike` of what the first explains, on either part of the samples.
 [[nodiscard]] double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
                                      const Candidate& rival, double alike);
 
