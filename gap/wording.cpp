@@ -283,11 +283,11 @@ std::string answerSentence(const Diagnosis& diagnosis) {
 
 std::string whereClause(const WhereRow& row) {
   const std::string size = core::significant(std::abs(row.value));
-  const std::string where = stratumText(row);
+  const std::string where = stratumText(row), echoes = size == "1" ? "echo" : "echoes";
   if (row.component == "missing")
-    return fmt::format("The measurement lacks {} echoes per shot that the simulation has, {}", size, where);
+    return fmt::format("The measurement lacks {} {} per shot that the simulation has, {}", size, echoes, where);
   if (row.component == "extra")
-    return fmt::format("The measurement has {} echoes per shot that the simulation lacks, {}", size, where);
+    return fmt::format("The measurement has {} {} per shot that the simulation lacks, {}", size, echoes, where);
   const std::string title = measurandTitle(row.measurand);
   if (row.component == "scatter")
     return fmt::format("The simulated {} scatters {} {} too {} {}", title, size, row.unit,

@@ -37,4 +37,17 @@ TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
       "the data.");
 }
 
+TEST(Wording, OneEchoIsNotSeveral) {
+  gap::WhereRow row{.measurand = "existence",
+                    .component = "missing",
+                    .covariate = "range_m",
+                    .low = 30.0,
+                    .high = 60.0,
+                    .value = -1.0,
+                    .unit = "1/shot"};
+  EXPECT_NE(gap::whereSentence(row).find("lacks 1 echo per shot"), std::string::npos);
+  row.value = -0.5;
+  EXPECT_NE(gap::whereSentence(row).find("lacks 0.5 echoes per shot"), std::string::npos);
+}
+
 }  // namespace
