@@ -14,9 +14,7 @@ namespace gap {
 
 namespace {
 
-constexpr double kAccountsFor = 0.8;     // share of the gap that a cause must account for to be named, if nothing else
-constexpr double kEvenBelief = 0.85;     // of the gap: a cause that accounts for so much is as likely right as wrong
-constexpr double kBeliefWidth = 0.05;    // of that share: from such a cause to one that is hardly ever wrong
+constexpr double kAccountsFor = 0.7;     // of the gap: what accounts for less is as likely wrong as right
 constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
 constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
 constexpr double kMaterialCells = 0.08;  // or of the discrepancy
@@ -275,8 +273,14 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
 
 }  // namespace
 
-double beliefIn(double accounted_for) {
-  return kMostBelief / (1.0 + std::exp((kEvenBelief - accounted_for) / kBeliefWidth));
+double beliefIn(const Yardstick& yardstick, double accounted_for) {
+  struct Curve {
+    double even;   // of the gap: a cause that accounts for so much is as likely right as wrong
+    double width;  // of that share: from such a cause to one that is hardly ever wrong
+  };
+  constexpr double kSmall = 5.0;  // standard deviations of noise: of such a gap chance explains a share, too
+  const Curve curve = yardstick.z() < kSmall ? Curve{0.77, 0.15} : Curve{0.65, 0.1};
+  return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 
 std::vector<double> confidencesOf(const Decision& decision, double belief) {

@@ -44,8 +44,9 @@ struct Decision {
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
-/// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one.
-[[nodiscard]] double beliefIn(double accounted_for);
+/// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one:
+/// less where the gap is small.
+[[nodiscard]] double beliefIn(const Yardstick& yardstick, double accounted_for);
 
 /// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
 /// would be by chance, exp(-z²/2).

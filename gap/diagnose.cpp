@@ -20,13 +20,14 @@ namespace {
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;  // of the gap being present at all
 constexpr double kClear = 5.0;          // standard deviations: a gap beyond doubt
-constexpr double kPairBelief = 0.7;     // of the belief in one cause: either of the two may be another one
+constexpr double kPairBelief = 0.92;    // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.3;     // of a cause that is named because nothing else is left: it explains little
 constexpr double kMostUnknown = 0.5;    // belief that no cause of the library is at work
 constexpr double kFramesBelief = 0.7;   // that it is none, where whole frames deviate together
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
 constexpr double kMuchClearer = 3.0;   // so much more must one part of the samples show than the other
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
@@ -35,8 +36,8 @@ constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviation
 
 /// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
 /// more.
-constexpr Detail kQuick{.most_beams = 360, .edge_rays = 23};
-constexpr Detail kExact{.most_beams = 6000, .edge_rays = 45};
+constexpr Detail kQuick{.most_beams = 360, .edge_rays = 17};
+constexpr Detail kExact{.most_beams = 6000, .edge_rays = 33};
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -103,7 +104,7 @@ After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, D
 /// nor is one that accounts for so little that it was named only because nothing else seemed to be left.
 void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Decision& decision) {
   if (!decision.winner || !frames) return;
-  const bool convincing = beliefIn(judge.accountedFor(*decision.winner)) >= 0.5;
+  const bool convincing = judge.accountedFor(*decision.winner) >= kConvincing;
   if (convincing && frames->share_of_gap < kMostOfTheGap) return;
   decision.winner.reset();
   decision.rivals.clear();
@@ -121,7 +122,7 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const double named = decision.winner ? kLeastNamed : 0.0;
   const auto beliefOf = [&](const Candidate& candidate) {
     const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
-    return most * std::max(named, beliefIn(accounted_for));
+    return most * std::max(named, beliefIn(judge.yardstick, accounted_for));
   };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
@@ -293,7 +294,8 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge.accountedFor(decision.singles.front()));
+    const double named =
+        decision.singles.empty() ? 0.0 : beliefIn(judge.yardstick, judge.accountedFor(decision.singles.front()));
     verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }

@@ -81,12 +81,6 @@ bool couplesBeams(const World& world, const std::string& sensor) {
   });
 }
 
-std::size_t bytesOf(const model::BeamHits& hits) {
-  constexpr std::size_t kOfRay = 3 * sizeof(double);
-  return hits.beams.size() * (sizeof(model::Beam) + sizeof(std::uint32_t)) + hits.hits.size() * sizeof(model::Hit) +
-         hits.second.size() * sizeof(model::SecondHit) + hits.rays.size() * kOfRay;
-}
-
 /// The corners of the beam, without power: a surface that ends between them and the outermost rays of an even grid
 /// would seem to catch the whole beam.
 void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::AngularSize& divergence) {
@@ -111,7 +105,7 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail,
                std::span<const model::ExternalRun> foreign)
-    : experiment_(experiment), detail_(detail), foreign_(foreign) {
+    : experiment_(experiment), detail_(detail), traced_(kMostBytes), foreign_(foreign) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
@@ -212,15 +206,10 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
 Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
   const bool whole = couplesBeams(world, samples_[sample].sample->sensor) && !samples_[sample].taken.empty();
   const std::string key = std::to_string(sample) + (whole ? "*" : ":") + geometryKey(world, *samples_[sample].sample);
-  {
-    const std::lock_guard lock(mutex_);
-    const auto found = traced_.find(key);
-    if (found != traced_.end()) return found->second;
-  }
-  Geometry geometry = trace(world, sample);
-  const std::lock_guard lock(mutex_);
-  const std::size_t bytes = bytesOf(geometry->hits);
-  if (remembered_bytes_ + bytes <= kMostBytes && traced_.emplace(key, geometry).second) remembered_bytes_ += bytes;
+  Geometry geometry = traced_.find(key);
+  if (geometry) return geometry;
+  geometry = trace(world, sample);
+  traced_.remember(key, geometry);
   return geometry;
 }
 

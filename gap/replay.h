@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gap/cells.h"
+#include "gap/geometry_cache.h"
 #include "gap/transport.h"
 #include "gap/world.h"
 #include "model/external/external_runs.h"
@@ -91,7 +92,7 @@ class Replay {
   [[nodiscard]] std::uint64_t seed() const noexcept { return baseline_.model.seed; }
 
  private:
-  using Geometry = std::shared_ptr<const model::TracedSample>;
+  using Geometry = GeometryCache::Geometry;
   /// Where several sensors stand side by side: whether this one sees nothing of what the world changes.
   [[nodiscard]] bool untouched(const World& world, const std::string& sensor) const;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
@@ -112,9 +113,8 @@ class Replay {
   std::vector<ReplaySample> samples_;
   std::vector<Channel> channels_;
   std::array<double, kChannels> resolution_{};
+  mutable GeometryCache traced_;
   mutable std::mutex mutex_;
-  mutable std::unordered_map<std::string, Geometry> traced_;
-  mutable std::size_t remembered_bytes_ = 0;
   mutable std::map<std::tuple<std::size_t, int, std::uint64_t>, std::vector<CellStatistics>> untouched_;
   std::span<const model::ExternalRun> foreign_;
   mutable std::unordered_map<std::string, Shots> fired_;  ///< of the proxy's baseline
