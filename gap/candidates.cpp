@@ -25,6 +25,7 @@ constexpr std::size_t kLeaders = 6;   // candidates that are judged with all bea
 constexpr std::size_t kPolished = 3;  // of them fitted with more frames
 constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;
+constexpr std::size_t kScoutBeams = 180;   // a sample: enough to find about where a reference is
 constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
 constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
 constexpr double kWorthMore = 0.05;  // of the discrepancy: what gained less is tried in no further form that takes long
@@ -211,11 +212,14 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
     progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
   };
+  // Every offset of a reference traces all rays anew, and the surfaces that it moves are in many beams.
+  const Replay few = judge.replay.thinner(kScoutBeams);
   const auto scoutAll = [&](const std::vector<Hypothesis>& some) {
     std::vector<Scouted> scouted(some.size());
     core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
+      const Replay& replay = some[h].kind == CauseKind::kReference ? few : judge.replay;
       scouted[h] =
-          scout(judge.replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress);
+          scout(replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress);
       report("tried ", some[h]);
     });
     return scouted;

@@ -26,7 +26,8 @@ constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of 
 constexpr int kExchanges = 2;
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 constexpr std::size_t kScoutBeams = 120;
-constexpr std::size_t kLookedAt = 16;  // causes whose sums come nearest, and as many that are best alone
+constexpr std::size_t kLookedAt = 16;      // causes whose sums come nearest, and as many that are best alone
+constexpr std::size_t kAtomsOfACause = 3;  // whose sums come nearest, of causes that are not best alone
 
 /// A cause at certain values.
 struct Atom {
@@ -146,28 +147,27 @@ class PairSearch {
     return nearestOf(std::move(guesses), kSumsFitted);
   }
 
-  /// Atoms of the causes that, added to what this one does, come nearest to the measurement, and of those that are best
-  /// alone: echoes from nowhere are in no signature.
+  /// Of the causes that, added to what this one does, come nearest to the measurement the nearest atoms; and all of
+  /// those that are best alone: echoes from nowhere are in no signature.
   [[nodiscard]] std::vector<Atom> likelyBeside(std::size_t first, const World& world) const {
     const Eigen::VectorXf left = columnOf(space_.ofMeasurement()) - columnOf(space_.of(world));
     const Eigen::VectorXf distances = (signatures_.colwise() - left).colwise().squaredNorm();
-    std::map<std::size_t, float> nearest;
-    for (std::size_t a = 0; a < atoms_.size(); ++a) {
-      if (!pairable(first, atoms_[a].single)) continue;
-      const float distance = distances[static_cast<Eigen::Index>(a)];
-      const auto [known, added] = nearest.try_emplace(atoms_[a].single, distance);
-      if (!added) known->second = std::min(known->second, distance);
-    }
-    std::vector<std::pair<float, std::size_t>> order;
-    for (const auto& [single, distance] : nearest) order.emplace_back(distance, single);
-    std::sort(order.begin(), order.end());
-    if (order.size() > kLookedAt) order.resize(kLookedAt);
-    std::set<std::size_t> chosen;
-    for (std::size_t i = 0; i < std::min(kLookedAt, singles_.size()); ++i) chosen.insert(i);
-    for (const auto& [distance, single] : order) chosen.insert(single);
+    std::vector<std::size_t> order;
+    for (std::size_t a = 0; a < atoms_.size(); ++a)
+      if (pairable(first, atoms_[a].single)) order.push_back(a);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return distances[static_cast<Eigen::Index>(a)] < distances[static_cast<Eigen::Index>(b)];
+    });
     std::vector<Atom> likely;
-    std::copy_if(atoms_.begin(), atoms_.end(), std::back_inserter(likely),
-                 [&](const Atom& atom) { return chosen.contains(atom.single) && pairable(first, atom.single); });
+    std::map<std::size_t, std::size_t> taken;  // atoms of each cause
+    for (const std::size_t a : order) {
+      const std::size_t single = atoms_[a].single;
+      const bool near = taken.contains(single) || taken.size() < kLookedAt;
+      const bool enough = single >= kLookedAt && taken.contains(single) && taken.at(single) == kAtomsOfACause;
+      if (enough || (!near && single >= kLookedAt)) continue;
+      ++taken[single];
+      likely.push_back(atoms_[a]);
+    }
     return likely;
   }
 
