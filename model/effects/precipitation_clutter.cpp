@@ -142,20 +142,31 @@ class PrecipitationClutter final : public Effect {
     std::vector<Field::Particle> particles;
     core::Random random(key);
     for (const Field& field : fields_) field.draw(view, random, particles);
-    for (Pulse& pulse : pulses) pulse.power_w *= lightBehind(particles, pulse.range_m);
-    for (const Field::Particle& particle : particles) {
-      pulses.push_back({particle.range_m, particle.power_w * lightBehind(particles, particle.range_m)});
-    }
+    if (particles.empty()) return;
+    const Shadows shadows(particles);
+    for (Pulse& pulse : pulses) pulse.power_w *= shadows.lightBehind(pulse.range_m);
+    for (const Field::Particle& particle : particles)
+      pulses.push_back({particle.range_m, particle.power_w * shadows.lightBehind(particle.range_m)});
   }
 
  private:
-  static double lightBehind(const std::vector<Field::Particle>& particles, double range_m) {
-    double share = 1.0;
-    for (const Field::Particle& particle : particles) {
-      if (particle.range_m < range_m) share *= 1.0 - particle.blocked;
+  /// How much light the particles leave. Sorts them by range.
+  class Shadows {
+   public:
+    explicit Shadows(std::vector<Field::Particle>& particles) : particles_(particles) {
+      std::stable_sort(particles.begin(), particles.end(), nearer);
+      for (const Field::Particle& particle : particles) left_.push_back(left_.back() * (1.0 - particle.blocked));
     }
-    return share;
-  }
+    [[nodiscard]] double lightBehind(double range_m) const {
+      const auto beyond = std::lower_bound(particles_.begin(), particles_.end(), Field::Particle{range_m}, nearer);
+      return left_[static_cast<std::size_t>(beyond - particles_.begin())];
+    }
+
+   private:
+    static bool nearer(const Field::Particle& a, const Field::Particle& b) { return a.range_m < b.range_m; }
+    const std::vector<Field::Particle>& particles_;
+    std::vector<double> left_{1.0};  ///< behind so many of them
+  };
 
   std::optional<double> rain_rate_mm_h_;
   double snow_rate_mm_h_;

@@ -40,8 +40,10 @@ class WaveformPart {
   [[nodiscard]] double lowest_level_w() const noexcept { return lowest_level_w_; }
 
  private:
-  void addGaussians(std::span<const Pulse> pulses, double cut_m, std::vector<double>& signal) const;
-  void addMeasured(std::span<const Pulse> pulses, std::vector<double>& signal) const;
+  void addGaussians(std::span<const Pulse> pulses, double cut_m);
+  void addMeasured(std::span<const Pulse> pulses);
+  [[nodiscard]] std::size_t highestSample() const;
+  [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
   [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
 
@@ -51,7 +53,7 @@ class WaveformPart {
   double step_m_ = 0.0;
   double lowest_level_w_ = 0.0;
   double highest_w_ = 0.0;
-  std::vector<double> log_signal_;
+  std::vector<double> signal_;  ///< [W]
 };
 
 /// Splits the pulses of one beam into parts that do not touch above `lowest_level_w`. Parts that stay below it are
