@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "core/physics.h"
+#include "model/signal/intruders.h"
 
 namespace model {
 
@@ -283,7 +284,9 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
   }
   for (const Drawing& drawing : reporting_effects_) {
     core::Random own(drawing.keyOf(key));
+    const std::size_t known = echoes.size();
     drawing.effect->report(echoes, settings_, own);
+    mergeIntruders(echoes, known, stage);
     dropLost();
   }
   for (Echo& echo : echoes) count(echo);
