@@ -229,6 +229,17 @@ bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate&
          restOf(judge, pair) < kNoRest;
 }
 
+/// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
+/// on as much as a small effect does, so nothing may be left with both. Otherwise the reference is to be corrected
+/// first.
+bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, const Candidate& pair) {
+  const auto& members = pair.hypothesis.members;
+  return best.hypothesis.kind == CauseKind::kReference &&
+         std::any_of(members.begin(), members.end(),
+                     [&](const Hypothesis& member) { return member.name == best.hypothesis.name; }) &&
+         restOf(judge, pair) > kNoRest;
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
@@ -246,7 +257,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
-      separation(exact, pair, best) < kSecondProven)
+      separation(exact, pair, best) < kSecondProven || explainsWhatAReferenceLeaves(exact, best, pair))
     return false;
   const bool earned = earnsItsSecond(leftBy(best), leftBy(pair), noise) || leavesNothing(exact, best, pair);
   if (earned) decision.name(pair);

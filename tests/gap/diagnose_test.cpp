@@ -129,6 +129,28 @@ TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
   EXPECT_NEAR(diagnosis.causes.front().setups.at("r19").value, 0.0, 0.005);
 }
 
+/// Of a wall that stands 0.3 m behind its recorded place.
+gap::Diagnosis diagnosedBehindItsPlace(const SmallWorld::Effects& truth) {
+  const SmallWorld world;
+  std::map<std::string, double> offsets_m;
+  for (const char* setup : {"r8", "r13", "r19", "r27", "r36", "r46"}) offsets_m[setup] = 0.3;
+  return diagnosed(world.measuredBy(SmallWorld::modelWith(truth), 0.4, offsets_m), SmallWorld::modelWith({}));
+}
+
+TEST(Diagnose, NamesAnEffectBesideAWrongReferenceIfNothingIsLeftWithBoth) {
+  const gap::Diagnosis diagnosis = diagnosedBehindItsPlace({{"detection-loss", {{"probability", 0.1}}}});
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"detection-loss"});
+  EXPECT_EQ(diagnosis.verdict.beside, std::vector<std::string>{"/scene/0/pose/position_m/0"});
+}
+
+// Where something else is missing, too, the reference is corrected first.
+TEST(Diagnose, ClaimsNoEffectBesideAWrongReferenceThatExplainsHalfOfWhatThatLeaves) {
+  const gap::Diagnosis diagnosis = diagnosedBehindItsPlace(
+      {{"detection-loss", {{"probability", 0.1}}}, {"pulse-jitter", {{"duration_stddev_ns", 0.2}}}});
+  ASSERT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kReference) << diagnosis.verdict.text;
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/scene/0/pose/position_m/0"});
+}
+
 /// In alphabetical order.
 std::vector<std::string> namedFor(const SmallWorld::Effects& truth) {
   const SmallWorld world;
