@@ -39,11 +39,6 @@ void addProposal(report::Page& page, const Diagnosis& diagnosis) {
   page.preformatted(change.dump(2));
 }
 
-std::string inSentence(const Prediction& p, double value) {
-  const std::string unit = p.unit == "1/shot" ? "echoes per shot" : p.unit;
-  return core::significant(value) + " " + unit;
-}
-
 void addPredictions(report::Page& page, const Diagnosis& diagnosis) {
   const NextExperiment& next = *diagnosis.next_experiment;
   if (next.predictions.empty()) {
@@ -55,8 +50,8 @@ void addPredictions(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<std::vector<Html>> rows;
   for (const Prediction& p : next.predictions) {
     rows.push_back({report::text(measurandTitle(p.measurand)), report::text(percent(p.beams)),
-                    report::text(inSentence(p, p.values[0])), report::text(inSentence(p, p.values[1])),
-                    report::text(inSentence(p, p.values[2])), report::text("± " + inSentence(p, p.noise))});
+                    report::text(withUnit(p.values[0], p.unit)), report::text(withUnit(p.values[1], p.unit)),
+                    report::text(withUnit(p.values[2], p.unit)), report::text("± " + withUnit(p.noise, p.unit))});
   }
   page.table({{"measurand", Align::Left, true},
               {"beams that tell", Align::Right},

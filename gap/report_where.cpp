@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <set>
 
-#include "core/text.h"
 #include "gap/report_sections.h"
 #include "gap/wording.h"
 #include "report/panel_figure.h"
@@ -16,8 +15,7 @@ using report::Html;
 namespace {
 
 std::vector<Html> cellsOf(const WhereRow& row) {
-  const std::string unit = row.unit == "1/shot" ? "echoes per shot" : row.unit;
-  return {report::text(whereClause(row) + "."), report::text(core::significant(row.value) + " " + unit),
+  return {report::text(whereClause(row) + "."), report::text(withUnit(row.value, row.unit)),
           report::shareBar(row.share), report::text(percent(row.size)), report::text(certaintyInWords(row.p_value))};
 }
 

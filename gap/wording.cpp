@@ -151,7 +151,9 @@ std::string unitOf(const FittedParameter& parameter) { return parameter.unit == 
 
 std::string withUnit(double value, const std::string& unit) {
   if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return core::significant(1e9 * value) + " nW";
-  return core::significant(value) + (unit.empty() || unit == "°" ? "" : " ") + unit;
+  const std::string number = core::significant(value);
+  if (unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
+  return number + (unit.empty() || unit == "°" ? "" : " ") + unit;
 }
 
 std::string intervalText(const Interval& interval, const std::string& unit) {

@@ -40,7 +40,7 @@ namespace gap {
 /// Its unit as readers know it: "°" for "deg".
 [[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
-/// A number to three digits with its unit; small powers in nW.
+/// A number to three digits with its unit; small powers in nW, what exists in echoes per shot.
 [[nodiscard]] std::string withUnit(double value, const std::string& unit);
 /// "0.42 to 0.47 m".
 [[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
