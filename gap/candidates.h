@@ -42,6 +42,8 @@ struct Candidate {
 
 /// Discrepancies that candidates are measured against.
 struct Yardstick {
+  static constexpr double kClear_z = 5.0;  ///< standard deviations of noise: a gap beyond doubt
+
   double baseline = 0.0;  ///< of the model as it was brought, held-out
   double perfect = 0.0;   ///< of a model that is right but for noise
   double perfect_spread = 0.0;

@@ -289,8 +289,8 @@ double beliefIn(const Yardstick& yardstick, double accounted_for) {
     double even;   // of the gap: a cause that accounts for so much is as likely right as wrong
     double width;  // of that share: from such a cause to one that is hardly ever wrong
   };
-  constexpr double kSmall = 5.0;  // standard deviations of noise: of such a gap chance explains a share, too
-  const Curve curve = yardstick.z() < kSmall ? Curve{0.77, 0.15} : Curve{0.65, 0.1};
+  // Of a small gap chance explains a share, too.
+  const Curve curve = yardstick.z() < Yardstick::kClear_z ? Curve{0.77, 0.15} : Curve{0.65, 0.1};
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 

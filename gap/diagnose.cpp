@@ -19,7 +19,6 @@ namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;  // of the gap being present at all
-constexpr double kClear = 5.0;          // standard deviations: a gap beyond doubt
 constexpr double kPairBelief = 0.92;    // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.3;     // of a cause that is named because nothing else is left: it explains little
@@ -232,7 +231,8 @@ Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without)
   const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
   const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, by_samples.fitted).z();
   const double least = std::min(z_held, z_fitted), most = std::max(z_held, z_fitted);
-  if (most < kClear || least >= std::min(kClear, most / kMuchClearer)) return {replay, by_samples, yardstick};
+  if (most < Yardstick::kClear_z || least >= std::min(Yardstick::kClear_z, most / kMuchClearer))
+    return {replay, by_samples, yardstick};
   const Split by_beams = without.applied(splitByBeams(replay, seed));
   return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
 }

@@ -284,19 +284,16 @@ std::string answerSentence(const Diagnosis& diagnosis) {
 }
 
 std::string whereClause(const WhereRow& row) {
-  const std::string size = core::significant(std::abs(row.value));
-  const std::string where = stratumText(row), echoes = size == "1" ? "echo" : "echoes";
+  const std::string size = withUnit(std::abs(row.value), row.unit), where = stratumText(row);
   if (row.component == "missing")
-    return fmt::format("The measurement lacks {} {} per shot that the simulation has, {}", size, echoes, where);
-  if (row.component == "extra")
-    return fmt::format("The measurement has {} {} per shot that the simulation lacks, {}", size, echoes, where);
+    return fmt::format("The measurement lacks {} that the simulation has, {}", size, where);
+  if (row.component == "extra") return fmt::format("The measurement has {} that the simulation lacks, {}", size, where);
   const std::string title = measurandTitle(row.measurand);
   if (row.component == "scatter")
-    return fmt::format("The simulated {} scatters {} {} too {} {}", title, size, row.unit,
-                       row.value > 0 ? "little" : "much", where);
+    return fmt::format("The simulated {} scatters {} too {} {}", title, size, row.value > 0 ? "little" : "much", where);
   const bool range = row.measurand == "range";
   const char* wrong = row.value > 0 ? (range ? "too short" : "too small") : (range ? "too long" : "too large");
-  return fmt::format("The simulated {} is {} {} {} {}", title, size, row.unit, wrong, where);
+  return fmt::format("The simulated {} is {} {} {}", title, size, wrong, where);
 }
 
 std::string whereSentence(const WhereRow& row) {

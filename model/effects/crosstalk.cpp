@@ -13,7 +13,7 @@ constexpr double kExcess = 10.0;  ///< foreign pulses come one way and are seldo
 /// mean = rate · 2 (r_max - r_min) / c, at ranges that have nothing to do with the scene. Their power above the
 /// threshold is drawn from an exponential distribution, whose mean depends on the foreign lidar and its distance
 /// (`excess`, in thresholds); their width follows from it as for any Gaussian pulse. Near an echo they are one
-/// with it (signal/intruders.h). Source:
+/// with it (signal/merging.h). Source:
 /// Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium (mutual interference of pulsed lidar scanners).
 class Crosstalk final : public Effect {
  public:

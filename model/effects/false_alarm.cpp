@@ -9,7 +9,7 @@ namespace {
 
 /// Noise crosses the threshold: a Poisson number of echoes a shot, evenly over the range. By how much Gaussian noise
 /// tops a high threshold is exponential with mean σ²/P_th (Rice); the noise has passed the receiver, so its peaks have
-/// the pulse's shape and width; near an echo they are one with it (signal/intruders.h). Source: Rice 1945,
+/// the pulse's shape and width; near an echo they are one with it (signal/merging.h). Source: Rice 1945,
 /// doi:10.1002/j.1538-7305.1945.tb00453.x, sec. 3.3 and 3.6.
 class FalseAlarm final : public Effect {
  public:

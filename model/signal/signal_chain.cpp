@@ -6,33 +6,11 @@
 
 #include "core/parallel.h"
 #include "core/physics.h"
-#include "model/signal/intruders.h"
+#include "model/signal/merging.h"
 
 namespace model {
 
 namespace {
-
-/// Stretches whose peaks lie closer than the separation are one echo, each compared with the one before it.
-void mergeNearStretches(std::vector<Stretch>& stretches, double separation_m) {
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.peak_m < b.peak_m; });
-  std::size_t kept = 0;
-  double last_peak_m = 0.0;
-  for (const Stretch& stretch : stretches) {
-    if (kept > 0 && stretch.peak_m - last_peak_m < separation_m) {
-      Stretch& merged = stretches[kept - 1];
-      merged.rise_m = std::min(merged.rise_m, stretch.rise_m);
-      merged.fall_m = std::max(merged.fall_m, stretch.fall_m);
-      if (stretch.peak_w > merged.peak_w) {
-        merged.peak_w = stretch.peak_w;
-        merged.peak_m = stretch.peak_m;
-      }
-    } else {
-      stretches[kept++] = stretch;
-    }
-    last_peak_m = stretch.peak_m;
-  }
-  stretches.resize(kept);
-}
 
 bool contains(const std::vector<std::string>& list, const char* name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -198,24 +176,6 @@ double SignalChain::lowestLevel(const Receiver& receiver) const {
   return receiver.threshold_w * share * spread;
 }
 
-Echo SignalChain::toEcho(const Stretch& stretch) const {
-  Echo echo;
-  switch (settings_.detection.range_mode) {
-    case RangeMode::kPeak:
-      echo.range_m = stretch.peak_m;
-      break;
-    case RangeMode::kLeadingEdge:
-      echo.range_m = stretch.rise_m;
-      break;
-    case RangeMode::kCentre:
-      echo.range_m = 0.5 * (stretch.rise_m + stretch.fall_m);
-      break;
-  }
-  echo.epw_m = 2.0 * (stretch.fall_m - stretch.rise_m);  // r = c t / 2, so c·Δt = 2·Δr
-  echo.peak_w = stretch.peak_w;
-  return echo;
-}
-
 /// Step 4 of the chain: where the waveform with its noise exceeds the threshold.
 void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
                            const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const {
@@ -244,12 +204,13 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   }
   const std::vector<Stretch> separate = record ? scratch.stretches : std::vector<Stretch>();
   mergeNearStretches(scratch.stretches, settings_.detection.echo_separation_m);
-  for (const Stretch& stretch : scratch.stretches) scratch.echoes.push_back(toEcho(stretch));
+  for (const Stretch& stretch : scratch.stretches)
+    scratch.echoes.push_back(echoOf(stretch, settings_.detection.range_mode));
   for (const Stretch& stretch : separate) {
     const bool kept = std::any_of(scratch.stretches.begin(), scratch.stretches.end(),
                                   [&](const Stretch& s) { return s.peak_m == stretch.peak_m; });
     if (kept) continue;
-    record->echoes.push_back(toEcho(stretch));
+    record->echoes.push_back(echoOf(stretch, settings_.detection.range_mode));
     record->echoes.back().fate = Fate::kMerged;
   }
 }

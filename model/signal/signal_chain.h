@@ -100,7 +100,6 @@ class SignalChain {
   [[nodiscard]] Receiver receiverOf(const Beam& beam) const;
   [[nodiscard]] double lowestLevel(const Receiver& receiver) const;
   [[nodiscard]] Pulses coupledPulses(const BeamHits& geometry, const PowerStage& power) const;
-  [[nodiscard]] Echo toEcho(const Stretch& stretch) const;
   void fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
   [[nodiscard]] double gainOf(const Beam& beam, const core::Random::Key& shot) const;
   void count(Echo& echo) const;

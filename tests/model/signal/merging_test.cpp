@@ -1,4 +1,4 @@
-#include "model/signal/intruders.h"
+#include "model/signal/merging.h"
 
 #include <gtest/gtest.h>
 
