@@ -19,6 +19,7 @@ constexpr double kWeakGap = 0.40;        // the least share, where the gap is ha
 constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
 constexpr double kMaterialCells = 0.08;  // or of the discrepancy
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
+constexpr double kLeastGain = 0.05;      // in that,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
@@ -83,20 +84,31 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   sortByMerit(singles);
 }
 
-/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves.
-bool roomForASecond(const LeftOver& single, double noise) {
-  return (single.total > kMaterialRest || single.discrepancy > kMaterialCells) && single.discrepancy > 3.0 * noise;
+/// Noise of the share of the gap that a cause explains.
+double noiseOfShare(const Yardstick& yardstick) {
+  return std::sqrt(2.0) * yardstick.perfect_spread / yardstick.whole();
 }
 
-/// A second cause must halve what the best single one leaves, in the discrepancy or in the total gap, by more than the
-/// noise of the explained share.
-bool earnsItsSecond(const LeftOver& single, const LeftOver& pair, double noise) {
-  const double gain = single.discrepancy - pair.discrepancy;
-  const bool no_larger =
-      pair.total < single.total + kMaterialRest;  // what helps the cells must not harm the pooled gap
-  const bool closer = pair.discrepancy < kPairGain * single.discrepancy && gain > 0.05 && no_larger;
-  const bool smaller = pair.total < kTotalGain * single.total;
-  return roomForASecond(single, noise) && gain > 3.0 * noise && (closer || smaller);
+/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
+/// and that must be more than noise.
+bool roomForASecond(const Judge& judge, const Candidate& best) {
+  const LeftOver left = leftBy(best);
+  const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
+  return material && (left.discrepancy > 3.0 * noiseOfShare(judge.yardstick) || restOf(judge, best) > kNoRest);
+}
+
+/// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
+/// the total gap; and what helps the cells must not harm the total gap.
+bool earnsItsSecond(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
+  const auto halves = [](double before, double after) {
+    return after < kPairGain * before && before - after > kLeastGain;
+  };
+  const bool no_larger = of_pair.total < of_single.total + kMaterialRest;
+  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
+  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
+  const bool smaller = of_pair.total < kTotalGain * of_single.total;
+  return of_pair.discrepancy < of_single.discrepancy && (closer || accounts || smaller);
 }
 
 /// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
@@ -212,11 +224,6 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   decision.rivals = rivalsOfAll(quick, exact, decision.singles);
 }
 
-/// Noise of the share of the gap that a cause explains.
-double noiseOfShare(const Yardstick& yardstick) {
-  return std::sqrt(2.0) * yardstick.perfect_spread / yardstick.whole();
-}
-
 /// The share of the gap that a cause must account for to be named.
 double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * noiseOfShare(yardstick));
@@ -240,14 +247,20 @@ bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, con
          restOf(judge, pair) > kNoRest;
 }
 
+/// Whether a pair is nearer to the data than its better member by more than luck: on held-out samples, or on all, where
+/// every number more that was fitted has its price.
+bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, const Candidate& best) {
+  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
+  const double least_on_all =
+      std::sqrt(kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * std::max(0.0, more));
+  return separation(exact, pair, best) >= kSecondProven ||
+         separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
-  const double noise = noiseOfShare(exact.yardstick);
-  const LeftOver left = leftBy(decision.singles.front());
-  const bool room =
-      roomForASecond(left, noise) || (left.total > kMaterialRest && restOf(exact, decision.singles.front()) > kNoRest);
-  if (!room) return false;
+  if (!roomForASecond(exact, decision.singles.front())) return false;
   core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, part);
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
@@ -257,9 +270,9 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
-      separation(exact, pair, best) < kSecondProven || explainsWhatAReferenceLeaves(exact, best, pair))
+      !isNearer(quick, exact, pair, best) || explainsWhatAReferenceLeaves(exact, best, pair))
     return false;
-  const bool earned = earnsItsSecond(leftBy(best), leftBy(pair), noise) || leavesNothing(exact, best, pair);
+  const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
   if (earned) decision.name(pair);
   return earned;
 }

@@ -162,17 +162,19 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Part part
     if (!sample.layout->pooled() && (surface || often)) {
       result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * deviationOf(sample, c));
     }
-    if (!surface) continue;
-    surfaces.push_back(c);
+    if (!surface && !often) continue;
+    if (surface) surfaces.push_back(c);
+    const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
+    const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c));
     if (m.count == 0.0 || s.count == 0.0) {
       // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
-      const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
-      result += static_cast<double>(replay.channels().size()) *
-                robustLoss(kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c)));
+      result += static_cast<double>(replay.channels().size()) * robustLoss(lost);
       continue;
     }
     for (const Channel channel : replay.channels()) {
-      result += robustLoss((m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
+      const double z = std::abs(m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s);
+      // Two echoes that no surface makes may have nothing to do with each other: then one is lost, the other made up.
+      result += robustLoss(surface ? z : std::min(z, lost));
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {

@@ -25,7 +25,8 @@ class HeldOutGaps {
   [[nodiscard]] std::map<std::string, Interval> biasIntervals() const;
   /// The mean total gap in another world.
   [[nodiscard]] double totalIn(const World& world) const;
-  /// What another world leaves of the gap beyond what it would leave if it were right; 1: nothing is gone.
+  /// What another world leaves of the gap beyond what it would leave if it were right, as a share of what the model as
+  /// it was brought leaves beyond that; 1: nothing is gone.
   [[nodiscard]] double leftIn(const World& world) const;
   /// Share of the gap that lies above the noise of the model as it was brought: near 0, `leftIn` is guesswork.
   [[nodiscard]] double aboveNoise() const;
@@ -51,8 +52,11 @@ class HeldOutGaps {
   [[nodiscard]] TotalGap gapOf(const Drawn& drawn, const std::vector<core::Detections>& simulated) const;
   [[nodiscard]] std::vector<core::Detections> simulated(const World& world, std::uint64_t seed) const;
   [[nodiscard]] std::vector<TotalGap> gapsTo(const std::vector<core::Detections>& simulated) const;
-  /// Mean total gap between a simulation of a world, under the own seed, and one of it under other noise.
-  [[nodiscard]] double noiseOf(const World& world, const std::vector<core::Detections>& simulated) const;
+  /// Mean total gap between two simulations.
+  [[nodiscard]] double between(const std::vector<core::Detections>& one,
+                               const std::vector<core::Detections>& other) const;
+  /// Mean total gap to the measurement, with what measurands added that can no longer be compared.
+  [[nodiscard]] double toMeasurement(const std::vector<core::Detections>& simulated) const;
 
   const Replay& replay_;
   std::vector<std::size_t> samples_;

@@ -417,6 +417,15 @@ Hypothesis together(const Hypothesis& a, const Hypothesis& b) {
   return both;
 }
 
+Hypothesis beside(const Hypothesis& known, const std::vector<double>& values, const Hypothesis& added) {
+  Hypothesis both = added;
+  both.apply = [first = known.apply, values, second = added.apply](World& world, const std::vector<double>& own) {
+    first(world, values);
+    second(world, own);
+  };
+  return both;
+}
+
 std::vector<double> inOrder(const std::vector<FreeParameter>& parameters, std::vector<double> values) {
   const auto placeOf = [&](const char* name) {
     const auto found =

@@ -54,6 +54,8 @@ using Form = std::tuple<std::string, std::string, std::vector<std::string>>;
 
 /// Both at once; its values are those of one after those of the other.
 [[nodiscard]] Hypothesis together(const Hypothesis& a, const Hypothesis& b);
+/// One of them where the other one holds with these values.
+[[nodiscard]] Hypothesis beside(const Hypothesis& known, const std::vector<double>& values, const Hypothesis& added);
 /// Values with the ends of a sector in order, which a search may cross.
 [[nodiscard]] std::vector<double> inOrder(const std::vector<FreeParameter>& parameters, std::vector<double> values);
 [[nodiscard]] std::vector<double> joined(std::vector<double> a, const std::vector<double>& b);

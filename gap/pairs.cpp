@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
 constexpr std::size_t kSumsFitted = 6;                                    // nearest sums of two signatures
-constexpr std::size_t kPartnersFitted = 4;                                // nearest partners of a cause
+constexpr std::size_t kPartnersTried = 12;                                // nearest partners of a cause, alone,
+constexpr std::size_t kPartnersFitted = 4;                                // and then the nearest together with it
 constexpr std::size_t kPartnered = 2;                                     // single causes that partners are looked for
 constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of the recorded emitter power
 constexpr int kExchanges = 2;
@@ -178,7 +179,8 @@ class PairSearch {
     const WhereResult where = whereIn(scout_, world, scouted_.seed);
     for (std::size_t i = 0; i < singles_.size(); ++i)
       if (pairable(first, i)) append(atoms, suggestedFor(i, where));
-    return nearestPartners(first, values, atoms);
+    std::vector<Guess> guesses = nearestOf(nearestPartners(first, values, atoms), kPartnersTried);
+    return nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
   }
 
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
@@ -198,7 +200,33 @@ class PairSearch {
     }
     std::vector<Guess> guesses;
     for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
-    return nearestOf(std::move(guesses), kPartnersFitted);
+    return guesses;
+  }
+
+  /// Whether other numbers of a cause send the rays other ways: then every look at it takes long.
+  [[nodiscard]] bool tracesAnew(const Hypothesis& hypothesis, const std::vector<double>& values) const {
+    std::vector<double> others;
+    for (const FreeParameter& parameter : hypothesis.parameters)
+      others.push_back(0.5 * (parameter.low + parameter.high));
+    const model::Sample& sample = *scout_.samples()[scouted_.samples.front()].sample;
+    return geometryKey(worldOf(scout_, hypothesis, values), sample) !=
+           geometryKey(worldOf(scout_, hypothesis, others), sample);
+  }
+
+  /// The guesses with the second cause's numbers where they serve the first one best: a cause of several numbers is
+  /// seldom right at any place that was looked at.
+  [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const {
+    core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+      Guess& guess = guesses[g];
+      const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
+      const std::vector<double> fixed(guess.values.begin(), middle), start(middle, guess.values.end());
+      const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
+      if (tracesAnew(added, start)) return;
+      const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, start, progress_);
+      const double distance = discrepancyOf(scout_, worldOf(scout_, added, fitted), scouted_);
+      if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
+    });
+    return guesses;
   }
 
   /// What goes best with another emitter power: whoever calibrated the model to its means has hidden the cause in it,

@@ -54,6 +54,20 @@ TEST(HowFar, AWorldInWhichNothingIsDetectedLeavesTheWholeGap) {
   EXPECT_GE(gaps.leftIn({lost, {}, {}}), 1.0);
 }
 
+// A few echoes anywhere make a pooled gap of metres, and two such sets differ by as much as one does from none.
+TEST(HowFar, ARightWorldLeavesLittleHoweverMuchItsOwnNoiseScatters) {
+  const auto truth = SmallWorld::modelWith({{"false-alarm", {{"rate_per_beam", 0.001}}}});
+  for (const std::uint64_t seed : {11, 12, 13, 14, 15, 16}) {
+    SmallWorld world;
+    world.measuredUnder(seed);
+    const model::Experiment measured = world.measuredBy(truth, 0.4);
+    const gap::Replay replay(measured, SmallWorld::modelWith({}));
+    const gap::HeldOutGaps gaps(replay, gap::splitOf(replay, 1).held_out.samples, 1);
+    EXPECT_LT(gaps.leftIn({truth, {}, {}}), 0.5) << seed;
+    EXPECT_GT(gaps.leftIn({SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.001}}}}), {}, {}}), 0.9) << seed;
+  }
+}
+
 // The wall may stand 5 cm nearer or farther in the next recording, which is three times the noise of the range.
 TEST(HowFar, AReferenceThatIsHardlyKnownMakesTheShrinkLessCertain) {
   const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 20000}}}});

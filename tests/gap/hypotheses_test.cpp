@@ -112,4 +112,17 @@ TEST(Hypotheses, NumbersThatChangeOnlyThePowerShareOneGeometry) {
   EXPECT_NE(keyWith({{"specular_fraction", 0.1}}), keyWith({{"specular_fraction", 0.1}, {"max_bounces", 3}}));
 }
 
+TEST(Hypotheses, ACauseBesideAnotherMakesTheWorldThatBothMakeTogether) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const auto effect = [&](const std::string& name) { return gap::hypothesesFor(replay, {name}).front(); };
+  const gap::Hypothesis fog = effect("atmospheric-attenuation"), loss = effect("detection-loss");
+  const gap::Hypothesis added = gap::beside(fog, {500.0}, loss);
+  EXPECT_EQ(added.name, "detection-loss");
+  EXPECT_EQ(gap::worldOf(replay, added, {0.1}).model.json,
+            gap::worldOf(replay, gap::together(fog, loss), {500.0, 0.1}).model.json);
+  EXPECT_NE(gap::worldOf(replay, added, {0.1}).model.json, gap::worldOf(replay, loss, {0.1}).model.json);
+}
+
 }  // namespace

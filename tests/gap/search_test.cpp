@@ -108,6 +108,19 @@ TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
   EXPECT_GT(found.gain, 0.3);
 }
 
+// Echoes of other lidars, that lie anywhere, make the mean range of all echoes that no surface makes a farther one.
+TEST_F(Search, FindsWhereAFalseTargetStandsAmongEchoesFromAnywhere) {
+  measure({{"spoofing", {{"azimuth_deg", 0.0}, {"width_deg", 3.0}, {"range_m", 5.0}}},
+           {"crosstalk", {{"rate_1_s", 4000}}}});
+  const gap::Hypothesis spoofing = effect("spoofing");
+  ASSERT_EQ(spoofing.parameters[1].name, "range_m");
+  const auto distance = [&](double range_m) {
+    return gap::discrepancyOf(*replay_, gap::worldOf(*replay_, spoofing, {0.0, range_m, 3.0}), split_.fitted);
+  };
+  for (const double elsewhere_m : {5.4, 6.0, 10.0, 14.0})
+    EXPECT_GT(distance(elsewhere_m), distance(5.0)) << elsewhere_m;
+}
+
 // Whatever lies between 0.42 and 0.81 is equally right, and an end of it the worst guess for other samples.
 TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
   moveBy(0.1);
