@@ -16,15 +16,17 @@ constexpr double kTie = 0.03;        // of what there is to explain: causes this
 constexpr std::size_t kRivals = 5;
 
 /// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
-/// mechanisms, of which one is at work), and the choice of a form other than its usual one.
+/// mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a second), and
+/// the choice of a form other than its usual one.
 double choicesIn(const Candidate& candidate) {
   constexpr double kNothing = 0.01;  // of the range
-  double count = candidate.hypothesis.variant.empty() ? 0.0 : 1.0;
+  double numbers = 0.0;
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
-    count += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
+    numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
   }
-  return count;
+  const double least = candidate.values.empty() ? 0.0 : 1.0;
+  return std::max(least, numbers) + (candidate.hypothesis.variant.empty() ? 0.0 : 1.0);
 }
 
 /// What it costs one cause to say more than another, as a square of standard deviations: twice the logarithm of a

@@ -6,6 +6,7 @@
 
 #include "gap/candidates.h"
 #include "gap/decision.h"
+#include "gap/rivals.h"
 #include "gap/significance.h"
 #include "gap/starts.h"
 #include "tests/gap/small_world.h"
@@ -106,6 +107,25 @@ TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
   ASSERT_EQ(lobe.parameters[0].name, "diffuse_fraction");
   EXPECT_NEAR(found.values[0], 0.97, 0.02);
   EXPECT_GT(found.gain, 0.3);
+}
+
+// A car that is reported 4 ms late at 25 m/s stands 10 cm elsewhere; a delay might be a second, an offset half a metre.
+TEST_F(Search, CannotTellTwoCausesOfOneNumberThatDoTheSameHoweverSmallTheNumber) {
+  moveBy(0.1);
+  const auto movedBy = [](const char* name, double most, double m_per_unit) {
+    gap::Hypothesis cause;
+    cause.name = name;
+    cause.parameters = {{"value", "", -most, most}};
+    cause.apply = [m_per_unit](gap::World& world, const std::vector<double>& values) {
+      world.references.push_back({"/scene/0/pose/position_m/0", m_per_unit * values[0], {}});
+    };
+    return cause;
+  };
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const gap::Candidate delay{.hypothesis = movedBy("delay", 1.0, 25.0), .values = {0.004}};
+  const gap::Candidate offset{.hypothesis = movedBy("offset", 0.5, 1.0), .values = {0.1}};
+  EXPECT_TRUE(gap::rivalsOf(judge, judge, {delay, offset}).front().tied());
+  EXPECT_TRUE(gap::rivalsOf(judge, judge, {offset, delay}).front().tied());
 }
 
 // Echoes of other lidars, that lie anywhere, make the mean range of all echoes that no surface makes a farther one.
