@@ -273,8 +273,10 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
       !isNearer(quick, exact, pair, best) || explainsWhatAReferenceLeaves(exact, best, pair))
     return false;
   const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
-  if (earned) decision.name(pair);
-  return earned;
+  if (!earned) return false;
+  decision.name(pair);
+  decision.rivals = rivalsInPairs(quick, exact, pairs, 1.0 - best.explained / pair.explained);
+  return true;
 }
 
 /// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
@@ -307,6 +309,37 @@ double beliefIn(const Yardstick& yardstick, double accounted_for) {
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 
+namespace {
+
+double likelihoodOf(const Rival& rival) { return std::exp(-0.5 * rival.separation * rival.separation); }
+
+}  // namespace
+
+double shareOf(const Decision& decision, const std::string& cause) {
+  const auto of = [&](const Rival& rival) { return rival.name == cause; };
+  const auto rival = std::find_if(decision.rivals.begin(), decision.rivals.end(), of);
+  const bool is_member = rival == decision.rivals.end();
+  const std::string& place = is_member ? cause : rival->instead_of;
+  double sum = 1.0;
+  for (const Rival& other : decision.rivals) sum += other.instead_of == place ? likelihoodOf(other) : 0.0;
+  return (is_member ? 1.0 : likelihoodOf(*rival)) / sum;
+}
+
+std::vector<Candidate> tiedPartners(const Decision& decision) {
+  std::vector<Candidate> partners;
+  for (const std::string& name : decision.ties()) {
+    for (const Candidate& pair : decision.pairs) {
+      std::vector<Candidate> members = membersOf(pair);
+      const auto partner = std::find_if(members.begin(), members.end(),
+                                        [&](const Candidate& member) { return member.hypothesis.name == name; });
+      if (partner == members.end()) continue;
+      partners.push_back(std::move(*partner));
+      break;
+    }
+  }
+  return partners;
+}
+
 std::vector<double> confidencesOf(const Decision& decision, double belief) {
   const std::vector<Candidate>& candidates = decision.singles;
   std::vector<double> confidences(candidates.size(), 0.0);
@@ -317,7 +350,7 @@ std::vector<double> confidencesOf(const Decision& decision, double belief) {
     const auto place = std::find_if(candidates.begin(), candidates.end(),
                                     [&](const Candidate& c) { return c.hypothesis.name == rival.name; });
     if (place == candidates.end()) continue;
-    const double share = std::exp(-0.5 * rival.separation * rival.separation);
+    const double share = likelihoodOf(rival);
     confidences[static_cast<std::size_t>(place - candidates.begin())] = share;
     sum += share;
   }

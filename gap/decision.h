@@ -21,11 +21,11 @@ struct Decision {
   std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
   std::vector<Candidate> singles;   ///< best first
   std::vector<Candidate> pairs;     ///< those that were tried, best first
-  std::vector<Rival> rivals;        ///< that come near to a single winner
+  std::vector<Rival> rivals;        ///< that come near to a single winner, or to one of a pair that is named
   bool frames_move = false;         ///< all detections of a frame deviate together, which speaks against every cause
   double p_value = 1.0;             ///< of the gain that proved a cause where no gap is clear, times their number
 
-  /// Causes that the data cannot tell from a single winner.
+  /// Causes that the data cannot tell from a single winner, or from one of a pair.
   [[nodiscard]] std::vector<std::string> ties() const;
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
   /// Makes a candidate the winner.
@@ -47,6 +47,11 @@ struct Decision {
 /// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one:
 /// less where the gap is small.
 [[nodiscard]] double beliefIn(const Yardstick& yardstick, double accounted_for);
+
+/// Share of the belief in a pair that one of its members has, or one that may stand in a member's place.
+[[nodiscard]] double shareOf(const Decision& decision, const std::string& cause);
+/// Those that may stand in a member's place (Decision::ties), as they were fitted beside the other one.
+[[nodiscard]] std::vector<Candidate> tiedPartners(const Decision& decision);
 
 /// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
 /// would be by chance, exp(-z²/2).

@@ -130,21 +130,24 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;
+  const auto list = [&](const Candidate& candidate, double confidence) {
+    diagnosis.causes.push_back(toCause(candidate));
+    diagnosis.causes.back().confidence = confidence;
+    listed.push_back(candidate.hypothesis.name);
+  };
   if (decision.pair()) {
-    for (const Candidate& member : membersOf(*decision.winner)) {
-      diagnosis.causes.push_back(toCause(member));
-      diagnosis.causes.back().confidence = kPairBelief * beliefOf(*decision.winner);
-      listed.push_back(member.hypothesis.name);
-    }
+    const double belief = kPairBelief * beliefOf(*decision.winner);
+    for (const Candidate& member : membersOf(*decision.winner))
+      list(member, belief * shareOf(decision, member.hypothesis.name));
+    for (const Candidate& partner : tiedPartners(decision))
+      list(partner, belief * shareOf(decision, partner.hypothesis.name));
   }
   for (std::size_t i = 0; i < decision.singles.size() && diagnosis.causes.size() < kListed; ++i) {
     const Candidate& candidate = decision.singles[i];
     if (std::find(listed.begin(), listed.end(), candidate.hypothesis.name) != listed.end()) continue;
     const bool is_winner = decision.winner && !decision.pair() && i == 0;
     if (candidate.explained < 0.02 && !is_winner) break;
-    listed.push_back(candidate.hypothesis.name);
-    diagnosis.causes.push_back(toCause(candidate));
-    diagnosis.causes.back().confidence = decision.pair() ? 0.05 * confidences[i] : confidences[i];
+    list(candidate, decision.pair() ? 0.05 * confidences[i] : confidences[i]);
     if (is_winner) continue;
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
     diagnosis.causes.back().shrink = gaps.with(world, progress).shrink;
@@ -282,7 +285,7 @@ double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
 }
 
 /// The confidence is that in the verdict as it stands: that it is one of two, if it says that it cannot tell them
-/// apart.
+/// apart; of a pair, that in the less certain of its members.
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
@@ -292,8 +295,9 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     verdict.names = decision.names();
     verdict.beside = decision.beside();
     verdict.confidence = diagnosis.causes.front().confidence;
+    if (decision.pair()) verdict.confidence = std::min(verdict.confidence, diagnosis.causes[1].confidence);
     verdict.indistinguishable_from = decision.ties();
-    if (verdict.indistinguishable_from.size() == 1)
+    if (!decision.pair() && verdict.indistinguishable_from.size() == 1)
       verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;

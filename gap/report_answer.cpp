@@ -72,7 +72,8 @@ std::string confidenceMeaning(const Diagnosis& diagnosis) {
     std::vector<std::string> others;
     for (const std::string& name : diagnosis.verdict.indistinguishable_from)
       others.push_back(causeTitle(diagnosis, name));
-    text += " But these data cannot tell it from: " + core::join(others, " or ") + ".";
+    text += fmt::format(" But these data cannot tell {} from: {}.",
+                        diagnosis.verdict.names.size() == 1 ? "it" : "one of them", core::join(others, " or "));
   }
   if (!diagnosis.verdict.limits.empty())
     text += " The data tell little: " + core::join(diagnosis.verdict.limits, "; ") + ".";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "gap/significance.h"
@@ -14,6 +15,7 @@ constexpr double kApart = 1.5;       // standard deviations of the paired differ
 constexpr double kFarBehind = 0.15;  // in merit: no rival, however alike in single cells
 constexpr double kTie = 0.03;        // of what there is to explain: causes this close cannot be told apart
 constexpr std::size_t kRivals = 5;
+constexpr std::size_t kPairsLookedAt = 3;  // beside the best: the others were not fitted as well
 
 /// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
 /// mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a second), and
@@ -59,6 +61,21 @@ std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Can
   return rivals;
 }
 
+/// The effect that one pair has in place of one of another pair, which are otherwise the same. A recalibration in place
+/// of an effect would not be named (leadByEffects).
+std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) {
+  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
+  for (const std::size_t kept : {0U, 1U}) {
+    for (const std::size_t same : {0U, 1U}) {
+      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
+      const bool effects = own.kind == CauseKind::kEffect && another.kind == CauseKind::kEffect;
+      if (effects && ours[kept].name == theirs[same].name && own.name != another.name)
+        return Rival{another.name, 0.0, own.name};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool Rival::tied() const noexcept { return separation < kApart; }
@@ -73,6 +90,21 @@ std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::v
 std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
   return rivalsAmong(quick, exact, best, othersThan(best, candidates));
+}
+
+std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
+                                 double added) {
+  const Candidate& best = pairs.front();
+  std::vector<Rival> rivals;
+  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kFarBehind; ++i) {
+    std::optional<Rival> rival = exchangedIn(pairs[i], best);
+    if (!rival) continue;
+    const double apart = std::max(0.0, separationOnAll(quick, exact, best, pairs[i], kTie * added));
+    rival->separation = std::sqrt(apart * apart + costOf(pairs[i], best));
+    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
+    if (!known) rivals.push_back(std::move(*rival));
+  }
+  return rivals;
 }
 
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {

@@ -10,8 +10,9 @@ namespace gap {
 /// A cause that comes near to the best one.
 struct Rival {
   std::string name;
-  double separation = 0.0;  ///< how much farther from all samples, in standard deviations of that difference, and
-                            ///< what its further free numbers cost; 0: as near
+  double separation = 0.0;   ///< how much farther from all samples, in standard deviations of that difference, and
+                             ///< what its further free numbers cost; 0: as near
+  std::string instead_of{};  ///< of a pair: the member in whose place it stands beside the other one
 
   /// Whether the data cannot tell it from the best one.
   [[nodiscard]] bool tied() const noexcept;
@@ -24,6 +25,11 @@ struct Rival {
 /// The same from all, however far behind: merits are shares of the gap, which say little where there is hardly any.
 [[nodiscard]] std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact,
                                              const std::vector<Candidate>& candidates);
+
+/// Effects that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
+/// rival is as near if it is so by the measure of what the other one adds, the share `added`.
+[[nodiscard]] std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact,
+                                               const std::vector<Candidate>& pairs, double added);
 
 /// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
 /// samples, by more than what it takes more to say it.

@@ -205,7 +205,8 @@ std::string findingSentence(const Diagnosis& diagnosis) {
   const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
   std::string ties;
   if (!verdict.indistinguishable_from.empty()) {
-    ties = " These data cannot tell it from " + listOf(verdict.indistinguishable_from) + ".";
+    ties = fmt::format(" These data cannot tell {} from {}.", verdict.names.size() == 1 ? "it" : "one of them",
+                       listOf(verdict.indistinguishable_from));
   }
   switch (verdict.kind) {
     case VerdictKind::kNone:

@@ -109,23 +109,50 @@ TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
   EXPECT_GT(found.gain, 0.3);
 }
 
+/// A cause that moves the wall.
+gap::Hypothesis movedBy(const char* name, double most, double m_per_unit) {
+  gap::Hypothesis cause;
+  cause.name = name;
+  cause.parameters = {{"value", "", -most, most}};
+  cause.apply = [m_per_unit](gap::World& world, const std::vector<double>& values) {
+    world.references.push_back({"/scene/0/pose/position_m/0", m_per_unit * values[0], {}});
+  };
+  return cause;
+}
+
 // A car that is reported 4 ms late at 25 m/s stands 10 cm elsewhere; a delay might be a second, an offset half a metre.
 TEST_F(Search, CannotTellTwoCausesOfOneNumberThatDoTheSameHoweverSmallTheNumber) {
   moveBy(0.1);
-  const auto movedBy = [](const char* name, double most, double m_per_unit) {
-    gap::Hypothesis cause;
-    cause.name = name;
-    cause.parameters = {{"value", "", -most, most}};
-    cause.apply = [m_per_unit](gap::World& world, const std::vector<double>& values) {
-      world.references.push_back({"/scene/0/pose/position_m/0", m_per_unit * values[0], {}});
-    };
-    return cause;
-  };
   const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
   const gap::Candidate delay{.hypothesis = movedBy("delay", 1.0, 25.0), .values = {0.004}};
   const gap::Candidate offset{.hypothesis = movedBy("offset", 0.5, 1.0), .values = {0.1}};
   EXPECT_TRUE(gap::rivalsOf(judge, judge, {delay, offset}).front().tied());
   EXPECT_TRUE(gap::rivalsOf(judge, judge, {offset, delay}).front().tied());
+}
+
+TEST_F(Search, SaysWhoMayStandInThePlaceOfOneOfAPair) {
+  moveBy(0.1);
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const gap::Hypothesis loss = effect("detection-loss");
+  const auto besideLoss = [&](const char* name, double offset_m) {
+    return gap::Candidate{.hypothesis = gap::together(loss, movedBy(name, 0.5, 1.0)), .values = {0.01, offset_m}};
+  };
+  const auto rivals = gap::rivalsInPairs(
+      judge, judge, {besideLoss("delay", 0.1), besideLoss("offset", 0.1), besideLoss("drift", 0.08)}, 0.5);
+  ASSERT_EQ(rivals.size(), 2U);
+  EXPECT_EQ(rivals[0].name, "offset");
+  EXPECT_EQ(rivals[0].instead_of, "delay");
+  EXPECT_TRUE(rivals[0].tied());
+  EXPECT_EQ(rivals[1].name, "drift");
+  EXPECT_FALSE(rivals[1].tied());
+
+  gap::Decision decision;
+  decision.name(besideLoss("delay", 0.1));
+  decision.rivals = rivals;
+  EXPECT_EQ(decision.ties(), std::vector<std::string>{"offset"});
+  EXPECT_EQ(gap::shareOf(decision, "detection-loss"), 1.0);
+  EXPECT_NEAR(gap::shareOf(decision, "delay"), 0.5, 0.01);
+  EXPECT_NEAR(gap::shareOf(decision, "offset"), 0.5, 0.01);
 }
 
 // Echoes of other lidars, that lie anywhere, make the mean range of all echoes that no surface makes a farther one.
