@@ -61,6 +61,14 @@ class Field {
            std::exp(-kind_.slope_1_m * leastDiameter_m(range_m));
   }
 
+  /// The cell in which the cumulative mean number reaches `place`.
+  [[nodiscard]] std::size_t cellAt(double place) const {
+    std::size_t cell = cells_from_[static_cast<std::size_t>(place / mean_until_.back() * (kCells - 1))];
+    while (cell > 0 && place < mean_until_[cell]) --cell;  // rounding
+    while (cell + 1 < kCells && place >= mean_until_[cell + 1]) ++cell;
+    return cell;
+  }
+
   static constexpr std::size_t kCells = 4096;
   Particles kind_;
   AngularSize divergence_;
@@ -69,7 +77,8 @@ class Field {
   double least_share_m2_;  ///< share of the beam that a particle at r must block, over r²
   double begin_m_;
   double step_m_ = 0.0;
-  std::vector<double> mean_until_;  ///< cumulative mean number at the ends of the cells
+  std::vector<double> mean_until_;         ///< cumulative mean number at the ends of the cells
+  std::vector<std::uint32_t> cells_from_;  ///< where to begin, for even parts of the mean number
 };
 
 Field::Field(const Particles& kind, const ChainSettings& settings, double window_m)
@@ -92,18 +101,23 @@ Field::Field(const Particles& kind, const ChainSettings& settings, double window
     const double middle_m = begin_m_ + (static_cast<double>(cell) + 0.5) * step_m_;
     mean_until_.push_back(mean_until_.back() + number_1_m(middle_m) * step_m_);
   }
+  for (std::uint32_t part = 0, cell = 0; part < kCells; ++part) {
+    const double place = mean_until_.back() * part / (kCells - 1);
+    while (cell + 1 < kCells && place >= mean_until_[cell + 1]) ++cell;
+    cells_from_.push_back(cell);
+  }
 }
 
 void Field::draw(const BeamView& view, core::Random& random, std::vector<Particle>& out) const {
   const std::uint32_t count = random.poisson(mean_until_.back());
   for (std::uint32_t i = 0; i < count; ++i) {
-    const double place = random.uniform() * mean_until_.back(), larger = -std::log(random.uniform());
+    const double place = random.uniform() * mean_until_.back(), rarer = random.uniform();
     const double in_the_open = random.uniform();
-    const auto upper = std::upper_bound(mean_until_.begin() + 1, mean_until_.end() - 1, place);
-    const double before = *(upper - 1), within = (place - before) / (*upper - before);
-    const double range_m = begin_m_ + (static_cast<double>(upper - mean_until_.begin()) - 1.0 + within) * step_m_;
+    const std::size_t cell = cellAt(place);
+    const double before = mean_until_[cell], within = (place - before) / (mean_until_[cell + 1] - before);
+    const double range_m = begin_m_ + (static_cast<double>(cell) + within) * step_m_;
     if (in_the_open >= openShare(view, range_m)) continue;  // behind a surface
-    const double diameter_m = leastDiameter_m(range_m) + larger / kind_.slope_1_m;
+    const double diameter_m = leastDiameter_m(range_m) - std::log(rarer) / kind_.slope_1_m;
     const double area_m2 = area_over_sphere_ * std::numbers::pi / 4.0 * diameter_m * diameter_m;
     const double blocked = std::min(1.0, area_m2 / footprint_m2(range_m));
     const double seen = overlap(view.settings.emitter, view.settings.receiver, range_m);
