@@ -23,6 +23,13 @@ double upperTail(double z, std::size_t runs) {
   return boost::math::cdf(boost::math::complement(boost::math::students_t(n - 1.0), z / std::sqrt(1.0 + 1.0 / n)));
 }
 
+double meanByChance(const std::vector<double>& values) {
+  const Distribution all(values);
+  const auto n = static_cast<double>(values.size());
+  const double t = std::abs(all.mean) * std::sqrt(n) / std::max(1e-9, all.stddev);
+  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::students_t(n - 1.0), t));
+}
+
 Distribution::Distribution(const std::vector<double>& values) {
   for (const double value : values) mean += value / static_cast<double>(values.size());
   double squares = 0.0;

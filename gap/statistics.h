@@ -15,6 +15,10 @@ namespace gap {
 /// Student's t with n - 1 degrees of freedom, at z / sqrt(1 + 1/n).
 [[nodiscard]] double upperTail(double z, std::size_t runs);
 
+/// Probability that some normal numbers about zero have a mean as far from it: Student's t, to both sides. Two at
+/// least.
+[[nodiscard]] double meanByChance(const std::vector<double>& values);
+
 /// Mean and standard deviation (n - 1) of some runs, two at least.
 struct Distribution {
   double mean = 0.0;

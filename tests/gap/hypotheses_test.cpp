@@ -1,6 +1,7 @@
 #include "gap/hypotheses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 
@@ -123,6 +124,39 @@ TEST(Hypotheses, ACauseBesideAnotherMakesTheWorldThatBothMakeTogether) {
   EXPECT_EQ(gap::worldOf(replay, added, {0.1}).model.json,
             gap::worldOf(replay, gap::together(fog, loss), {500.0, 0.1}).model.json);
   EXPECT_NE(gap::worldOf(replay, added, {0.1}).model.json, gap::worldOf(replay, loss, {0.1}).model.json);
+}
+
+/// Gains of the layers as the hypothesis has them at the strength that the data show.
+std::vector<double> gainsSeenIn(const model::LidarModel& truth) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Hypothesis uneven = gap::hypothesesFor(replay, {"photo-response-nonuniformity"}).front();
+  const gap::World seen = gap::worldOf(replay, uneven, {uneven.parameters.front().start});
+  for (const model::ActiveEffect& effect : seen.model.effects)
+    if (effect.name == uneven.name) return effect.parameters.lists.at("gain_per_layer");
+  return {};
+}
+
+TEST(Hypotheses, AFactorThatAllLayersShareIsNoUnevenness) {
+  for (const double gain : gainsSeenIn(SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 55.0}})))
+    EXPECT_NEAR(gain, 1.0, 0.01);
+}
+
+// Their mean is one only by chance, and four gains that scatter by 0.15 may well have one of 1.02.
+TEST(Hypotheses, AnUnevennessIsSeenAsItIsAndBesideAWeakEmitterWithoutTheFactorOfThat) {
+  const std::vector<double> gains = {1.15, 0.9, 1.08, 0.95};
+  const SmallWorld::Effects uneven = {{"photo-response-nonuniformity", {{"gain_per_layer", gains}}}};
+  const std::vector<double> seen = gainsSeenIn(SmallWorld::modelWith(uneven));
+  const std::vector<double> dimmed =
+      gainsSeenIn(SmallWorld::modelWith(uneven, {{"/sensor/emitter/peak_power_w", 15.0}}));
+  ASSERT_EQ(seen.size(), gains.size());
+  ASSERT_EQ(dimmed.size(), gains.size());
+  const double shared = std::pow(1.15 * 0.9 * 1.08 * 0.95, 0.25);
+  for (std::size_t layer = 0; layer < gains.size(); ++layer) {
+    EXPECT_NEAR(seen[layer], gains[layer], 0.01) << layer;
+    EXPECT_NEAR(dimmed[layer], gains[layer] / shared, 0.015) << layer;
+  }
 }
 
 }  // namespace
