@@ -23,7 +23,6 @@ constexpr double kLeastGain = 0.05;      // in that,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
-constexpr double kMostBelief = 0.97;     // in anything
 constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
@@ -275,7 +274,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
   if (!earned) return false;
   decision.name(pair);
-  decision.rivals = rivalsInPairs(quick, exact, pairs, 1.0 - best.explained / pair.explained);
+  decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));
   return true;
 }
 
@@ -299,63 +298,28 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
 
 }  // namespace
 
-double beliefIn(const Yardstick& yardstick, double accounted_for) {
-  struct Curve {
-    double even;   // of the gap: a cause that accounts for so much is as likely right as wrong
-    double width;  // of that share: from such a cause to one that is hardly ever wrong
-  };
-  // Of a small gap chance explains a share, too.
-  const Curve curve = yardstick.z() < Yardstick::kClear_z ? Curve{0.77, 0.15} : Curve{0.65, 0.1};
-  return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
+bool holdsOnTotal(const Candidate& winner, double shrink) {
+  constexpr double kMostBesideNoise = 0.5;  // of the total gap
+  return shrink > 0.0 || winner.explained >= kNearlyAllCells || winner.total_left < kMostBesideNoise;
 }
 
-namespace {
-
-double likelihoodOf(const Rival& rival) { return std::exp(-0.5 * rival.separation * rival.separation); }
-
-}  // namespace
-
-double shareOf(const Decision& decision, const std::string& cause) {
-  const auto of = [&](const Rival& rival) { return rival.name == cause; };
-  const auto rival = std::find_if(decision.rivals.begin(), decision.rivals.end(), of);
-  const bool is_member = rival == decision.rivals.end();
-  const std::string& place = is_member ? cause : rival->instead_of;
-  double sum = 1.0;
-  for (const Rival& other : decision.rivals) sum += other.instead_of == place ? likelihoodOf(other) : 0.0;
-  return (is_member ? 1.0 : likelihoodOf(*rival)) / sum;
-}
-
-std::vector<Candidate> tiedPartners(const Decision& decision) {
-  std::vector<Candidate> partners;
-  for (const std::string& name : decision.ties()) {
-    for (const Candidate& pair : decision.pairs) {
-      std::vector<Candidate> members = membersOf(pair);
-      const auto partner = std::find_if(members.begin(), members.end(),
-                                        [&](const Candidate& member) { return member.hypothesis.name == name; });
-      if (partner == members.end()) continue;
-      partners.push_back(std::move(*partner));
-      break;
-    }
-  }
-  return partners;
-}
-
-std::vector<double> confidencesOf(const Decision& decision, double belief) {
-  const std::vector<Candidate>& candidates = decision.singles;
-  std::vector<double> confidences(candidates.size(), 0.0);
-  if (candidates.empty()) return confidences;
-  confidences.front() = 1.0;
-  double sum = 1.0;
+std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision) {
+  std::vector<std::pair<std::string, Candidate>> tied;
   for (const Rival& rival : decision.rivals) {
-    const auto place = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const Candidate& c) { return c.hypothesis.name == rival.name; });
-    if (place == candidates.end()) continue;
-    const double share = likelihoodOf(rival);
-    confidences[static_cast<std::size_t>(place - candidates.begin())] = share;
-    sum += share;
+    const auto exchanged = [&](const Candidate& pair) {
+      const auto has = [&](const std::string& name) {
+        return std::any_of(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
+                           [&](const Hypothesis& member) { return member.name == name; });
+      };
+      const auto& members = decision.winner->hypothesis.members;
+      return has(rival.name) && std::any_of(members.begin(), members.end(), [&](const Hypothesis& member) {
+               return member.name != rival.instead_of && has(member.name);
+             });
+    };
+    const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), exchanged);
+    if (rival.tied() && pair != decision.pairs.end()) tied.emplace_back(rival.name, *pair);
   }
-  for (double& confidence : confidences) confidence *= belief / sum;
-  return confidences;
+  return tied;
 }
 
 std::vector<std::string> Decision::ties() const {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gap/candidates.h"
@@ -44,17 +45,13 @@ struct Decision {
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
-/// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one:
-/// less where the gap is small.
-[[nodiscard]] double beliefIn(const Yardstick& yardstick, double accounted_for);
+/// Whether a cause stays named that makes the total gap smaller by such a share. Where it is none the smaller, the
+/// cause only fitted single cells, unless it explains nearly all of them: pooled data hide what evens out (a car
+/// reported late, that leaves here as many echoes as it makes there); or unless what is left is its own noise (two sets
+/// of a few false alarms are as far from each other as one is from none).
+[[nodiscard]] bool holdsOnTotal(const Candidate& winner, double shrink);
 
-/// Share of the belief in a pair that one of its members has, or one that may stand in a member's place.
-[[nodiscard]] double shareOf(const Decision& decision, const std::string& cause);
-/// Those that may stand in a member's place (Decision::ties), as they were fitted beside the other one.
-[[nodiscard]] std::vector<Candidate> tiedPartners(const Decision& decision);
-
-/// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
-/// would be by chance, exp(-z²/2).
-[[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, double belief);
+/// The pairs in which another cause stands in a member's place, by its name (Decision::ties).
+[[nodiscard]] std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision);
 
 }  // namespace gap

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gap/background.h"
+#include "gap/belief.h"
 #include "gap/candidates.h"
 #include "gap/decision.h"
 #include "gap/diagnosis.h"
@@ -28,11 +29,10 @@ constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames
 constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
-constexpr double kMostBesideNoise = 0.5;  // of the total gap, of a cause that leaves little but its own noise
-constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
-constexpr double kWeightOfTotal = 0.3;    // of what is left of the total gap beside what is left cell by cell
-constexpr double kMostExplained = 10.0;   // said of a share: where there is next to nothing to explain, it says nothing
-constexpr double kMaterialSteps = 0.25;   // of the resolution: smaller deviations are not called a gap
+constexpr double kMuchClearer = 3.0;   // so much more must one part of the samples show than the other
+constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
+constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
+constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
 /// more.
@@ -86,17 +86,12 @@ World winnersWorld(const Replay& replay, const Decision& decision) {
   return decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
 }
 
-/// The total gap with the winner added; where it is none the smaller for it, the winner only fitted single cells, and
-/// is none, unless it explains nearly all of them: pooled data hide what evens out (a car reported late, that leaves
-/// here as many echoes as it makes there); or unless the winner's own noise is what is left (two sets of a few false
-/// alarms are as far from each other as one is from none).
+/// The total gap with the winner added, which must hold on it (decision.h).
 After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
                     core::Progress& progress) {
   progress.report(0.86, "measuring how far the gap shrinks");
   After after = gaps.with(winnersWorld(replay, decision), progress);
-  const auto isNoise = [](const Candidate& winner) { return winner.total_left < kMostBesideNoise; };
-  if (decision.winner && after.shrink.fraction <= 0.0 && decision.winner->explained < kNearlyAllCells &&
-      !isNoise(*decision.winner)) {
+  if (decision.winner && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
     decision.winner.reset();
     decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
   }
@@ -139,8 +134,11 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
     const double belief = kPairBelief * beliefOf(*decision.winner);
     for (const Candidate& member : membersOf(*decision.winner))
       list(member, belief * shareOf(decision, member.hypothesis.name));
-    for (const Candidate& partner : tiedPartners(decision))
-      list(partner, belief * shareOf(decision, partner.hypothesis.name));
+    for (const auto& [name, pair] : tiedPairs(decision)) {
+      for (const Candidate& member : membersOf(pair))
+        if (member.hypothesis.name == name) list(member, belief * shareOf(decision, name));
+      diagnosis.causes.back().shrink = gaps.with(worldOf(judge.replay, pair.hypothesis, pair.values), progress).shrink;
+    }
   }
   for (std::size_t i = 0; i < decision.singles.size() && diagnosis.causes.size() < kListed; ++i) {
     const Candidate& candidate = decision.singles[i];

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 
+#include "gap/belief.h"
 #include "gap/candidates.h"
 #include "gap/decision.h"
 #include "gap/rivals.h"
@@ -153,6 +154,11 @@ TEST_F(Search, SaysWhoMayStandInThePlaceOfOneOfAPair) {
   EXPECT_EQ(gap::shareOf(decision, "detection-loss"), 1.0);
   EXPECT_NEAR(gap::shareOf(decision, "delay"), 0.5, 0.01);
   EXPECT_NEAR(gap::shareOf(decision, "offset"), 0.5, 0.01);
+  decision.pairs = {besideLoss("delay", 0.1), besideLoss("drift", 0.08), besideLoss("offset", 0.1)};
+  const auto tied = gap::tiedPairs(decision);
+  ASSERT_EQ(tied.size(), 1U);
+  EXPECT_EQ(tied[0].first, "offset");
+  EXPECT_EQ(tied[0].second.hypothesis.name, decision.pairs[2].hypothesis.name);
 }
 
 // Echoes of other lidars, that lie anywhere, make the mean range of all echoes that no surface makes a farther one.
