@@ -274,6 +274,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
   if (!earned) return false;
   decision.name(pair);
+  pairs.front() = *decision.winner;
   decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));
   return true;
 }
@@ -330,12 +331,27 @@ std::vector<std::string> Decision::ties() const {
   return names;
 }
 
-void Decision::name(const Candidate& candidate) {
+namespace {
+
+/// The same pair with the effect before what is beside it: who reads the first cause wants what is named.
+Candidate effectsFirst(const Candidate& candidate) {
   const std::vector<Candidate> members = membersOf(candidate);
+  const auto isEffect = [](const Candidate& member) { return member.hypothesis.kind == CauseKind::kEffect; };
+  if (members.size() < 2 || isEffect(members[0]) || !isEffect(members[1])) return candidate;
+  Candidate turned = candidate;
+  turned.hypothesis = together(members[1].hypothesis, members[0].hypothesis);
+  turned.values = joined(members[1].values, members[0].values);
+  return turned;
+}
+
+}  // namespace
+
+void Decision::name(const Candidate& candidate) {
+  winner = effectsFirst(candidate);
+  const std::vector<Candidate> members = membersOf(*winner);
   const bool an_effect = std::any_of(members.begin(), members.end(), [](const Candidate& member) {
     return member.hypothesis.kind == CauseKind::kEffect;
   });
-  winner = candidate;
   kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().hypothesis.kind);
 }
 

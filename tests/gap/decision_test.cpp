@@ -15,5 +15,22 @@ TEST(TotalGap, MayStayAsLargeWhereAllCellsAgreeOrTheCausesOwnNoiseIsLeft) {
   EXPECT_TRUE(holdsOnTotal(left(0.8, 0.4), -0.1)) << "rare false alarms";
 }
 
+TEST(Decision, NamesTheEffectOfAPairBeforeWhatIsBesideIt) {
+  Hypothesis power, fog;
+  power.kind = CauseKind::kParameter;
+  power.name = "power";
+  power.parameters = {{"value", "W"}};
+  power.apply = fog.apply = [](World&, const std::vector<double>&) {};
+  fog.name = "fog";
+  fog.parameters = {{"visibility_m", "m"}, {"backscatter", ""}};
+  Decision decision;
+  decision.name({.hypothesis = together(power, fog), .values = {40.0, 300.0, 0.1}});
+  EXPECT_EQ(decision.kind, VerdictKind::kEffect);
+  EXPECT_EQ(decision.names(), std::vector<std::string>{"fog"});
+  EXPECT_EQ(decision.beside(), std::vector<std::string>{"power"});
+  EXPECT_EQ(decision.winner->values, (std::vector<double>{300.0, 0.1, 40.0}));
+  EXPECT_EQ(membersOf(*decision.winner).front().hypothesis.name, "fog");
+}
+
 }  // namespace
 }  // namespace gap
