@@ -54,9 +54,9 @@ std::string strengthText(const Diagnosis& diagnosis) {
     const std::string title = diagnosis.verdict.names.size() > 1 ? causeTitle(diagnosis, cause.name) + ": " : "";
     if (!numbers.empty()) all.push_back(title + core::join(numbers, "; "));
   }
-  if (all.empty()) return "";
-  all[0][0] = static_cast<char>(std::toupper(static_cast<unsigned char>(all[0][0])));
-  return core::join(all, ". ") + ".";
+  for (std::string& sentence : all)
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return all.empty() ? "" : core::join(all, ". ") + ".";
 }
 
 /// "Of ten diagnoses with this confidence about nine name the right cause."
@@ -65,7 +65,8 @@ std::string confidenceMeaning(const Diagnosis& diagnosis) {
   const char* what = diagnosis.verdict.kind == VerdictKind::kNone ? "are right that nothing is missing"
                      : diagnosis.verdict.kind == VerdictKind::kUnknown
                          ? "are right that the cause is none of those tried"
-                         : "name the right cause";
+                     : diagnosis.verdict.names.size() > 1 ? "name the right causes"
+                                                          : "name the right cause";
   std::string text = fmt::format("{}: {}. Meant so that of 100 such answers about {:.0f} {}.", percent(confidence),
                                  confidenceInWords(confidence), 100.0 * confidence, what);
   if (!diagnosis.verdict.indistinguishable_from.empty()) {

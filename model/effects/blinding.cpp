@@ -62,20 +62,21 @@ class Blinding final : public Effect {
 }  // namespace
 
 EffectEntry blinding() {
-  return {.info = {.name = "blinding",
-                   .title = "Blinding by foreign light",
-                   .stage = Stage::kPropagation,
-                   .percollect = {"83"},
-                   .parameters = {{"azimuth_deg", "deg", -180.0, 180.0, 0.0, "Middle of the sector", false, 0.0},
-                                  {"irradiance", "W/m²", 0.0, 1000.0, 1.0,
-                                   "Of the foreign light at the receiver, within its optical band", true, 1.0},
-                                  {"width_deg", "deg", 0.01, 360.0, 5.0, "Width of the sector", true, 5.0},
-                                  {"saturation_irradiance", "W/m²", 0.01, 1000.0, 10.0,
-                                   "Irradiance from which the receiver sees nothing any more", true, 10.0}},
-                   .fitted = {"azimuth_deg", "irradiance", "width_deg"},
-                   .source = "Petit et al. 2015, Black Hat Europe; Shin et al. 2017, "
-                             "doi:10.1007/978-3-319-66787-4_22"},
-          .make = makeFrom<Blinding>};
+  return {
+      .info = {.name = "blinding",
+               .title = "Blinding by foreign light",
+               .stage = Stage::kPropagation,
+               .percollect = {"83"},
+               .parameters = {{"azimuth_deg", "deg", -180.0, 180.0, 0.0, "Middle of the sector", false, 0.0},
+                              {"irradiance", "W/m²", 0.0, 1000.0, 1.0,
+                               "Irradiance of the foreign light at the receiver, within its optical band", true, 1.0},
+                              {"width_deg", "deg", 0.01, 360.0, 5.0, "Width of the sector", true, 5.0},
+                              {"saturation_irradiance", "W/m²", 0.01, 1000.0, 10.0,
+                               "Irradiance from which the receiver sees nothing any more", true, 10.0}},
+               .fitted = {"azimuth_deg", "irradiance", "width_deg"},
+               .source = "Petit et al. 2015, Black Hat Europe; Shin et al. 2017, "
+                         "doi:10.1007/978-3-319-66787-4_22"},
+      .make = makeFrom<Blinding>};
 }
 
 }  // namespace model::effects

@@ -27,7 +27,7 @@ EffectEntry detectionLoss() {
                    .title = "Random loss of detections",
                    .stage = Stage::kDetection,
                    .percollect = {"0", "39"},
-                   .parameters = {{"probability", "", 0.0, 1.0, 0.0, "Of losing an echo", false, 0.05}},
+                   .parameters = {{"probability", "", 0.0, 1.0, 0.0, "Probability of losing an echo", false, 0.05}},
                    .fitted = {"probability"},
                    .source = "Bernoulli trials"},
           .make = makeFrom<DetectionLoss>};

@@ -41,7 +41,7 @@ EffectEntry thermalNoise() {
                    .stage = Stage::kReception,
                    .percollect = {"58", "60", "63"},
                    .parameters = {{"temperature_degC", "°C", -40.0, 85.0, std::nullopt,
-                                   "Of the detector; without it the experiment's environment", false, 50.0},
+                                   "Temperature of the detector; without it the experiment's environment", false, 50.0},
                                   {"dark_share", "", 0.0, 1.0, 1.0,
                                    "Share of the noise variance at 20 °C that is dark noise", false, 1.0}},
                    .fitted = {"temperature_degC"},

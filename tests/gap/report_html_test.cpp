@@ -186,7 +186,10 @@ TEST(GapPage, OfTwoCausesNamesBothAndOfATieItsRival) {
   d.causes[1].name = "detection-loss";
   d.verdict.names.push_back("detection-loss");
   expectSoundPage(gap::reportHtml(d));
+  d.verdict.indistinguishable_from = {"false-alarm"};
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("effects that the simulation lacks"));
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("name the right causes"));
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("cannot tell one of them from"));
   d = fogDiagnosis();
   d.verdict.indistinguishable_from = {"cover-contamination"};
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("cannot tell it from"));

@@ -35,6 +35,7 @@ TEST(Effects, DeclareThemselvesCompletely) {
             << parameter.name;
       }
       EXPECT_FALSE(parameter.meaning.empty());
+      EXPECT_FALSE(parameter.meaning.starts_with("Of ")) << parameter.meaning << ": a page says it before the number";
     }
     for (const std::string& fitted : info.fitted) EXPECT_TRUE(known.count(fitted)) << info.name << " fits " << fitted;
     for (const FittedForm& form : info.other_forms) {
