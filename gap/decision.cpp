@@ -274,7 +274,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
   if (!earned) return false;
   decision.name(pair);
-  pairs.front() = *decision.winner;
+  pairs.front() = *decision.winner;  // its members in the same order
   decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));
   return true;
 }
@@ -307,17 +307,10 @@ bool holdsOnTotal(const Candidate& winner, double shrink) {
 std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision) {
   std::vector<std::pair<std::string, Candidate>> tied;
   for (const Rival& rival : decision.rivals) {
-    const auto exchanged = [&](const Candidate& pair) {
-      const auto has = [&](const std::string& name) {
-        return std::any_of(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
-                           [&](const Hypothesis& member) { return member.name == name; });
-      };
-      const auto& members = decision.winner->hypothesis.members;
-      return has(rival.name) && std::any_of(members.begin(), members.end(), [&](const Hypothesis& member) {
-               return member.name != rival.instead_of && has(member.name);
-             });
-    };
-    const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), exchanged);
+    const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), [&](const Candidate& candidate) {
+      const std::optional<Rival> other = exchangedIn(candidate, *decision.winner);
+      return other && other->name == rival.name && other->instead_of == rival.instead_of;
+    });
     if (rival.tied() && pair != decision.pairs.end()) tied.emplace_back(rival.name, *pair);
   }
   return tied;
@@ -348,11 +341,7 @@ Candidate effectsFirst(const Candidate& candidate) {
 
 void Decision::name(const Candidate& candidate) {
   winner = effectsFirst(candidate);
-  const std::vector<Candidate> members = membersOf(*winner);
-  const bool an_effect = std::any_of(members.begin(), members.end(), [](const Candidate& member) {
-    return member.hypothesis.kind == CauseKind::kEffect;
-  });
-  kind = an_effect ? VerdictKind::kEffect : kindOf(members.front().hypothesis.kind);
+  kind = kindOf(membersOf(*winner).front().hypothesis.kind);
 }
 
 std::vector<std::string> Decision::names() const {

@@ -11,7 +11,6 @@
 #include "gap/layer_gains.h"
 #include "gap/range_comb.h"
 #include "gap/settle.h"
-#include "gap/statistics.h"
 
 namespace gap {
 
@@ -20,7 +19,6 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
-constexpr double kSharedByChance = 1e-3;  // that the gains of layers, each its own, have such a mean
 
 /// The number that an effect declares under this name.
 FreeParameter declared(const model::EffectInfo& info, const std::string& name) {
@@ -170,16 +168,6 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
       list.back().costly = form.costly;
     }
   }
-}
-
-/// Gains without the factor that all layers share beyond chance: a weaker emitter, or fog, is no unevenness.
-std::vector<double> unevenPartOf(std::vector<double> gains) {
-  std::vector<double> logarithms;
-  for (const double gain : gains) logarithms.push_back(std::log(gain));
-  if (gains.size() < 2 || meanByChance(logarithms) > kSharedByChance) return gains;
-  const double shared = std::exp(Distribution(logarithms).mean);
-  for (double& gain : gains) gain /= shared;
-  return gains;
 }
 
 /// An uneven gain of the layers has the pattern that the data of some sensors show; how strong it is, is fitted. The

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kFrames = 6;
 constexpr std::size_t kFewestCells = 5;
+constexpr double kSharedByChance = 1e-3;  // that the gains of layers, each its own, have such a mean
 
 /// Logarithm of the ratio of the received powers.
 double logRatio(const CellStatistics& measured, const CellStatistics& simulated, Channel channel, double pulse_m) {
@@ -69,6 +70,15 @@ std::vector<double> layerGains(const Replay& replay, const std::vector<std::stri
     if (list.size() < kFewestCells) continue;
     gains[layer] = std::exp(medianOf(list));
   }
+  return gains;
+}
+
+std::vector<double> unevenPartOf(std::vector<double> gains) {
+  std::vector<double> logarithms;
+  for (const double gain : gains) logarithms.push_back(std::log(gain));
+  if (gains.size() < 2 || meanByChance(logarithms) > kSharedByChance) return gains;
+  const double shared = std::exp(Distribution(logarithms).mean);
+  for (double& gain : gains) gain /= shared;
   return gains;
 }
 

@@ -14,4 +14,8 @@ namespace gap {
 /// sensors have not as many, or neither channel was measured.
 [[nodiscard]] std::vector<double> layerGains(const Replay& replay, const std::vector<std::string>& sensors);
 
+/// Gains without the factor that all layers share beyond chance (Student's t of their logarithms): a weaker emitter, or
+/// fog, is no unevenness.
+[[nodiscard]] std::vector<double> unevenPartOf(std::vector<double> gains);
+
 }  // namespace gap

@@ -59,22 +59,24 @@ std::string strengthText(const Diagnosis& diagnosis) {
   return all.empty() ? "" : core::join(all, ". ") + ".";
 }
 
+/// What answers of one kind say with their confidence.
+const char* claimOf(const Verdict& verdict) {
+  if (verdict.kind == VerdictKind::kNone) return "are right that nothing is missing";
+  if (verdict.kind == VerdictKind::kUnknown) return "are right that the cause is none of those tried";
+  return verdict.names.size() > 1 ? "name the right causes" : "name the right cause";
+}
+
 /// "Of ten diagnoses with this confidence about nine name the right cause."
 std::string confidenceMeaning(const Diagnosis& diagnosis) {
   const double confidence = diagnosis.verdict.confidence;
-  const char* what = diagnosis.verdict.kind == VerdictKind::kNone ? "are right that nothing is missing"
-                     : diagnosis.verdict.kind == VerdictKind::kUnknown
-                         ? "are right that the cause is none of those tried"
-                     : diagnosis.verdict.names.size() > 1 ? "name the right causes"
-                                                          : "name the right cause";
   std::string text = fmt::format("{}: {}. Meant so that of 100 such answers about {:.0f} {}.", percent(confidence),
-                                 confidenceInWords(confidence), 100.0 * confidence, what);
+                                 confidenceInWords(confidence), 100.0 * confidence, claimOf(diagnosis.verdict));
   if (!diagnosis.verdict.indistinguishable_from.empty()) {
     std::vector<std::string> others;
     for (const std::string& name : diagnosis.verdict.indistinguishable_from)
       others.push_back(causeTitle(diagnosis, name));
-    text += fmt::format(" But these data cannot tell {} from: {}.",
-                        diagnosis.verdict.names.size() == 1 ? "it" : "one of them", core::join(others, " or "));
+    text += fmt::format(" But these data cannot tell {} from: {}.", whatIsTied(diagnosis.verdict),
+                        core::join(others, " or "));
   }
   if (!diagnosis.verdict.limits.empty())
     text += " The data tell little: " + core::join(diagnosis.verdict.limits, "; ") + ".";

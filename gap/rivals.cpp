@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "gap/significance.h"
@@ -37,6 +36,12 @@ double costOf(const Candidate& candidate, const Candidate& beside) {
   return 2.0 * Judge::kNatsPerNumber * std::max(0.0, choicesIn(candidate) - choicesIn(beside));
 }
 
+/// How well a candidate is told from the best one, with what it takes more to say it.
+double toldApart(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& other, double alike) {
+  const double apart = std::max(0.0, separationOnAll(quick, exact, best, other, alike));
+  return std::sqrt(apart * apart + costOf(other, best));
+}
+
 /// Those of other names, of each name the first one.
 std::vector<const Candidate*> othersThan(const Candidate& best, const std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> others;
@@ -55,25 +60,9 @@ std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Can
   if (others.size() > kRivals) others.resize(kRivals);
   std::vector<Rival> rivals;
   for (const Candidate* other : others) {
-    const double apart = std::max(0.0, separationOnAll(quick, exact, best, *other, kTie));
-    rivals.push_back({other->hypothesis.name, std::sqrt(apart * apart + costOf(*other, best))});
+    rivals.push_back({other->hypothesis.name, toldApart(quick, exact, best, *other, kTie)});
   }
   return rivals;
-}
-
-/// The effect that one pair has in place of one of another pair, which are otherwise the same. A recalibration in place
-/// of an effect would not be named (leadByEffects).
-std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) {
-  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
-  for (const std::size_t kept : {0U, 1U}) {
-    for (const std::size_t same : {0U, 1U}) {
-      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
-      const bool effects = own.kind == CauseKind::kEffect && another.kind == CauseKind::kEffect;
-      if (effects && ours[kept].name == theirs[same].name && own.name != another.name)
-        return Rival{another.name, 0.0, own.name};
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -92,6 +81,19 @@ std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact, const std
   return rivalsAmong(quick, exact, best, othersThan(best, candidates));
 }
 
+std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) {
+  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
+  for (const std::size_t kept : {0U, 1U}) {
+    for (const std::size_t same : {0U, 1U}) {
+      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
+      const bool effects = own.kind == CauseKind::kEffect && another.kind == CauseKind::kEffect;
+      if (effects && ours[kept].name == theirs[same].name && own.name != another.name)
+        return Rival{another.name, 0.0, own.name};
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
                                  double added) {
   const Candidate& best = pairs.front();
@@ -99,10 +101,10 @@ std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const s
   for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kFarBehind; ++i) {
     std::optional<Rival> rival = exchangedIn(pairs[i], best);
     if (!rival) continue;
-    const double apart = std::max(0.0, separationOnAll(quick, exact, best, pairs[i], kTie * added));
-    rival->separation = std::sqrt(apart * apart + costOf(pairs[i], best));
     const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
-    if (!known) rivals.push_back(std::move(*rival));
+    if (known) continue;
+    rival->separation = toldApart(quick, exact, best, pairs[i], kTie * added);
+    rivals.push_back(std::move(*rival));
   }
   return rivals;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct Rival {
 /// The same from all, however far behind: merits are shares of the gap, which say little where there is hardly any.
 [[nodiscard]] std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact,
                                              const std::vector<Candidate>& candidates);
+
+/// The effect that one pair has in place of one of another pair, which are otherwise the same; its separation is left
+/// open. None where a recalibration is exchanged: it would not be named (leadByEffects).
+[[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
 
 /// Effects that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
 /// rival is as near if it is so by the measure of what the other one adds, the share `added`.

@@ -205,8 +205,8 @@ std::string findingSentence(const Diagnosis& diagnosis) {
   const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
   std::string ties;
   if (!verdict.indistinguishable_from.empty()) {
-    ties = fmt::format(" These data cannot tell {} from {}.", verdict.names.size() == 1 ? "it" : "one of them",
-                       listOf(verdict.indistinguishable_from));
+    ties =
+        fmt::format(" These data cannot tell {} from {}.", whatIsTied(verdict), listOf(verdict.indistinguishable_from));
   }
   switch (verdict.kind) {
     case VerdictKind::kNone:
@@ -276,6 +276,8 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 1 ? "it" : "one of them"; }
 
 std::string answerSentence(const Diagnosis& diagnosis) {
   constexpr double kSure = 0.6;  // below, confidenceInWords says "not sure"

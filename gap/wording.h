@@ -40,6 +40,9 @@ namespace gap {
 /// Its unit as readers know it: "°" for "deg".
 [[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
+/// Of what a verdict names, what it cannot tell from other causes: "it", or "one of them" of two.
+[[nodiscard]] const char* whatIsTied(const Verdict& verdict);
+
 /// A number to three digits with its unit; small powers in nW, what exists in echoes per shot.
 [[nodiscard]] std::string withUnit(double value, const std::string& unit);
 /// "0.42 to 0.47 m".
