@@ -88,13 +88,25 @@ void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::A
   for (std::size_t i = 0; i < halfway.size(); ++i) rays.add(2.0 * halfway.left_rad[i], 2.0 * halfway.up_rad[i], 0.0);
 }
 
-/// The beams whose sub-rays do not all meet one object.
+/// Whether a beam meets faces of one object that stand at an angle to each other, as at the corner of a box: how much
+/// comes back depends on where it is parted between them.
+bool isFolded(const model::HitsOfBeam& hits) {
+  constexpr float kFold = 0.05F;  // on a plane the cosine changes by less than the beam is wide [rad]
+  float least = 1.0F, most = 0.0F;
+  for (const model::Hit& hit : hits) {
+    least = std::min(least, hit.cos_incidence);
+    most = std::max(most, hit.cos_incidence);
+  }
+  return most - least > kFold;
+}
+
+/// The beams whose sub-rays do not all meet one face of one object.
 std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
   std::vector<std::uint32_t> partly;
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     const auto of_beam = hits.of(b);
     if (of_beam.empty() && hits.rays.size() > 1) continue;
-    bool whole = of_beam.size() == hits.rays.size();
+    bool whole = of_beam.size() == hits.rays.size() && !isFolded(of_beam);
     for (std::size_t i = 0; whole && i < of_beam.size(); ++i) whole = of_beam[i].object == of_beam[0].object;
     if (!whole) partly.push_back(b);
   }

@@ -44,4 +44,22 @@ TEST(Replay, ASurfaceThatEndsBeyondTheOutermostRayOfABeamLosesThePowerThatPasses
   EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 4.0), expected, 0.004);
 }
 
+// The beam at 5 degrees is parted by the upright corner of a box 0.2 mrad beside its axis: 0.4 of its power meets the
+// front, the rest the side, which it grazes. Of 9 rays in a row 4 meet the front. By Lambert's law the front returns
+// cos³ of the azimuth, and the side, at the corner, sin cos².
+TEST(Replay, ABeamPartedByTheCornerOfABoxReturnsWhatBothFacesDo) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  model::Experiment experiment = world.measuredBy(model, 0.4);
+  const double azimuth_rad = 5.0 * core::kRadPerDeg, corner_y_m = 7.0 * std::tan(azimuth_rad + 0.2e-3);
+  nlohmann::json& box = experiment.json["scene"][0];
+  box["shape"] = {{"type", "box"}, {"size_m", {2.0, 4.0, 8.0}}};  // its middle is 8 m away in r8
+  box["pose"]["position_m"][1] = corner_y_m + 2.0;
+  const gap::Replay replay(experiment, model, {.most_beams = 1000});
+  const auto front = [](double at_rad) { return std::pow(std::cos(at_rad), 3.0); };
+  const double side = std::sin(azimuth_rad) * std::pow(std::cos(azimuth_rad), 2.0);
+  const double expected = (0.4 * front(azimuth_rad) + 0.6 * side) / front(6.0 * core::kRadPerDeg);
+  EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 6.0), expected, 0.01);
+}
+
 }  // namespace
