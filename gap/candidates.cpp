@@ -150,7 +150,7 @@ std::vector<Candidate> membersOf(const Candidate& candidate) {
   return members;
 }
 
-double Yardstick::whole() const { return std::max(1e-9, baseline - perfect); }
+double Yardstick::whole() const { return std::max({1e-9, perfect_spread, baseline - perfect}); }
 
 double Yardstick::explained(double discrepancy, double self) const {
   // A world may not buy its share with noise: at least half of the way to a quiet right model counts as the whole way.

@@ -48,7 +48,7 @@ struct Yardstick {
   double perfect = 0.0;   ///< of a model that is right but for noise
   double perfect_spread = 0.0;
 
-  /// What there is to explain.
+  /// What there is to explain; no less than its noise, so that shares of next to nothing stay numbers.
   [[nodiscard]] double whole() const;
 
   /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one

@@ -56,6 +56,13 @@ std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubR
   return kept;
 }
 
+/// Of a beam, that meets something behind a pane or by way of a mirror; 1 where nothing does.
+double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
+  double share = 0.0;
+  for (const model::SecondHit& second : hits.secondOf(beam)) share += hits.rays.weight[second.hit.ray];
+  return share > 0.0 ? std::min(1.0, share) : 1.0;
+}
+
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
 std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
   constexpr std::int32_t kNone = -1, kMixed = -2;
@@ -134,13 +141,15 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
-      cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w});
+      cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
+                        surface.weight});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
   surfaces_ = cells_.size();
   const std::vector<bool> at_edge = edgesOf(hits);
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) cells_.push_back({.beam = b, .at_edge = at_edge[b]});
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b)
+    cells_.push_back({.beam = b, .share = shareOfSecondWays(hits, b), .at_edge = at_edge[b]});
 }
 
 std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) const {

@@ -26,6 +26,7 @@ struct Cell {
   double anchor_m = 0.0;     ///< range at which the surface is expected
   double incidence_rad = 0.0;
   double power_over_threshold = 0.0;  ///< of the baseline, before noise
+  double share = 1.0;    ///< of the beam, that meets the surface; of extra cells, that goes on behind panes or mirrors
   bool at_edge = false;  ///< the beam, or the next one of its layer, is not wholly on one surface or on none
 };
 

@@ -42,16 +42,19 @@ SimulatedTwice simulateAll(const Replay& replay, const std::vector<const World*>
 std::vector<std::vector<double>> distances(const Replay& replay, const std::vector<const World*>& worlds,
                                            const Evidence& evidence) {
   const std::size_t n = worlds.size();
+  const std::vector<std::size_t> samples = spreadOver(evidence, kSamples, kFrames).samples;
+  std::vector<SimulatedTwice> simulated;
+  for (const std::size_t s : samples) simulated.push_back(simulateAll(replay, worlds, s, evidence.seed));
   std::vector<std::vector<double>> sums(n, std::vector<double>(n, 0.0));
-  for (const std::size_t s : spreadOver(evidence, kSamples, kFrames).samples) {
-    const SimulatedTwice simulated = simulateAll(replay, worlds, s, evidence.seed);
-    const int frames = framesFor(replay.samples()[s]);
-    core::parallelFor(n * n, 1, [&](std::size_t at, std::size_t) {
-      const std::size_t i = at / n, j = at % n;
-      sums[i][j] +=
-          discrepancy(replay, {s, simulated.as_truth[i], frames, simulated.as_model[j], frames}, evidence.part);
-    });
-  }
+  core::parallelFor(n * n, 1, [&](std::size_t at, std::size_t) {
+    const std::size_t i = at / n, j = at % n;
+    std::vector<Comparison> comparisons;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const int frames = framesFor(replay.samples()[samples[k]]);
+      comparisons.push_back({samples[k], simulated[k].as_truth[i], frames, simulated[k].as_model[j], frames});
+    }
+    sums[i][j] = discrepancy(replay, comparisons, evidence.part);
+  });
   return sums;
 }
 

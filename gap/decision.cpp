@@ -18,6 +18,7 @@ constexpr double kAccountsFor = 0.7;     // of the gap: what accounts for less i
 constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
 constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
 constexpr double kMaterialCells = 0.08;  // or of the discrepancy
+constexpr double kPooledRest = 0.2;      // of the total gap: the cells may not show it, as they do not show rare echoes
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
 constexpr double kLeastGain = 0.05;      // in that,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
@@ -26,7 +27,7 @@ constexpr double kSecondProven = 4.0;    // standard deviations by which a pair 
 constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
-constexpr double kLeastShrink = 0.05;    // of the total gap: less is nobody's concern
+constexpr double kLeastShrink = 0.05;    // of the total gap: of causes that move rays: less may be how edges cut beams
 constexpr std::size_t kLookedAt = 8;     // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;  // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
@@ -89,11 +90,12 @@ double noiseOfShare(const Yardstick& yardstick) {
 }
 
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
-/// and that must be more than noise.
+/// and that must be more than noise, or show where all data are pooled.
 bool roomForASecond(const Judge& judge, const Candidate& best) {
   const LeftOver left = leftBy(best);
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
-  return material && (left.discrepancy > 3.0 * noiseOfShare(judge.yardstick) || restOf(judge, best) > kNoRest);
+  return material && (left.total > kPooledRest || left.discrepancy > 3.0 * noiseOfShare(judge.yardstick) ||
+                      restOf(judge, best) > kNoRest);
 }
 
 /// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
@@ -187,14 +189,23 @@ class Proofs {
   std::optional<CrossFit> others_;  ///< the samples that were fitted, where any cause needs them
 };
 
+/// Whether a world sends any ray another way than the baseline does, or to another place.
+bool movesRays(const Replay& replay, const World& world) {
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return geometryKey(world, *sample.sample) != geometryKey(replay.baseline(), *sample.sample);
+  });
+}
+
 /// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
 void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                           Decision& decision, const core::Progress& progress) {
   decision.kind = VerdictKind::kNone;
   std::vector<Candidate> proven, others;
   double p_value = 1.0;
-  const auto shrinks = [&](const Candidate& candidate) {
+  const auto matters = [&](const Candidate& candidate) {
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
+    if (!candidate.hypothesis.seen_in_values && !movesRays(exact.replay, world))
+      return gaps.with(world, progress).shrink.interval.high > 0.0;
     return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
   };
   Proofs proofs(quick, exact);
@@ -203,7 +214,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     const Significance significance = proofs.of(candidate, progress);
     const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
     exact.hear(candidate);
-    if (!shown || !shrinks(candidate)) {
+    if (!shown || !matters(candidate)) {
       others.push_back(std::move(candidate));
       continue;
     }
@@ -212,7 +223,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   }
   sortByMerit(proven);
   polish(exact, gaps, proven, where, progress);
-  std::erase_if(proven, [&](const Candidate& candidate) { return !shrinks(candidate); });  // better values, less gain
+  std::erase_if(proven, [&](const Candidate& candidate) { return !matters(candidate); });  // better values, less gain
   if (proven.empty()) return;
   decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
   decision.singles = std::move(proven);

@@ -86,14 +86,14 @@ World winnersWorld(const Replay& replay, const Decision& decision) {
   return decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
 }
 
-/// The total gap with the winner added, which must hold on it (decision.h).
+/// The total gap with the winner added; where the gap is clear, the winner must hold on it (decision.h).
 After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
                     core::Progress& progress) {
   progress.report(0.86, "measuring how far the gap shrinks");
   After after = gaps.with(winnersWorld(replay, decision), progress);
-  if (decision.winner && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
+  if (clear && decision.winner && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
     decision.winner.reset();
-    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
+    decision.kind = VerdictKind::kUnknown;
   }
   return after;
 }
@@ -169,7 +169,8 @@ std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision&
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const int frames = std::min(8, std::max(3, replay.samples()[s].frames));
     const auto of_a = replay.simulate(a, s, frames, seed);
-    const double difference = discrepancy(replay, {s, of_a, frames, replay.simulate(b, s, frames, seed), frames});
+    const Comparison comparison{s, of_a, frames, replay.simulate(b, s, frames, seed), frames};
+    const double difference = discrepancy(replay, std::span(&comparison, 1));
     if (difference > largest) {
       largest = difference;
       best = s;

@@ -7,17 +7,20 @@
 
 #include "core/physics.h"
 #include "gap/extra_echoes.h"
+#include "gap/statistics.h"
 
 namespace gap {
 
 namespace {
 
-constexpr double kFloorSteps = 0.2;        // of the resolution: smaller mean differences are not worth explaining
-constexpr double kIntensityFloor = 0.004;  // relative: sub-ray grids of two programs agree no better
-constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
-constexpr double kRateFloor = 0.03;    // detections per frame and cell
-constexpr double kSpreadFloor = 0.05;  // of the logarithm of a variance
-constexpr double kLostCell = 20.0;     // z per channel of a surface that only one side detects in every frame
+constexpr double kFloorSteps = 0.2;  // of the resolution: smaller mean differences are not worth explaining
+constexpr double kIntensityFloor =
+    0.004;                            // of what a whole beam returns: sub-ray grids of two programs agree no better
+constexpr double kRateOfPower = 2.0;  // most that the detection rate changes with the relative power, at the threshold
+constexpr double kSureRate = 0.5;    // detections per frame: cells whose rate is known no better are no part of a group
+constexpr double kRateFloor = 0.03;  // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;      // of the logarithm of a variance
+constexpr double kLostCell = 20.0;         // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
@@ -46,8 +49,14 @@ double squaredFloor(const Replay& replay, Channel channel, double value) {
   return steps * steps + relative * relative;
 }
 
+/// How far the power that a cell receives may be off, relative to it: by the reference's tolerance and, where an edge
+/// cuts the beam, by the sub-rays. A hundredth of a beam beyond an edge is known to a third.
 double deviationOf(const ReplaySample& sample, std::size_t cell) {
-  return cell < sample.power_deviation.size() ? static_cast<double>(sample.power_deviation[cell]) : 0.0;
+  constexpr double kWhole = 0.999;
+  const double share = sample.layout->cells()[cell].share;
+  const double of_rays = share < kWhole ? kIntensityFloor / share : 0.0;
+  return cell < sample.power_deviation.size() ? std::hypot(static_cast<double>(sample.power_deviation[cell]), of_rays)
+                                              : of_rays;
 }
 
 /// What the reference's tolerance does to a mean by way of the received power (settle.h moves what is common to a
@@ -89,25 +98,47 @@ void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatist
   }
 }
 
+struct PooledSpread {
+  double degrees_of_freedom = 0.0;
+  double variance = 0.0;
+};
+
+/// Variance within some cells. None counts with more than ten times what is usual among them or stated by the profile:
+/// one foreign pulse that is merged with an echo would outweigh all the others.
+PooledSpread spreadWithin(std::span<const std::size_t> cells, std::span<const CellStatistics> statistics,
+                          Channel channel, double prior) {
+  constexpr double kMostOfUsual = 10.0;
+  std::vector<double> variances;
+  for (const std::size_t c : cells) variances.push_back(statistics[c].variance(channel));
+  std::vector<double> sorted = variances;
+  const double most = kMostOfUsual * std::max(prior, sorted.empty() ? 0.0 : medianOf(sorted));
+  PooledSpread pooled;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double freedom = statistics[cells[i]].count - 1.0;
+    pooled.degrees_of_freedom += freedom;
+    sum += freedom * std::min(most, variances[i]);
+  }
+  pooled.variance = sum / std::max(1.0, pooled.degrees_of_freedom);
+  return pooled;
+}
+
 /// Spread within cells, pooled over groups of cells of like predicted power.
 void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
                std::span<const CellStatistics> measured, std::span<const CellStatistics> simulated, double& result) {
   const double prior = priorVariance(replay, sample, channel);
   const auto groups = evenParts(cells.size(), kGroups);
   for (const auto& [begin, end] : groups) {
-    double dof_m = 0.0, dof_s = 0.0, sum_m = 0.0, sum_s = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const CellStatistics &m = measured[cells[i]], &s = simulated[cells[i]];
-      if (m.count < 2.0 || s.count < 2.0) continue;
-      dof_m += m.count - 1.0;
-      dof_s += s.count - 1.0;
-      sum_m += (m.count - 1.0) * m.variance(channel);
-      sum_s += (s.count - 1.0) * s.variance(channel);
-    }
-    if (dof_m < 5.0 || dof_s < 5.0) continue;
+    std::vector<std::size_t> scattering(cells.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        cells.begin() + static_cast<std::ptrdiff_t>(end));
+    std::erase_if(scattering, [&](std::size_t c) { return measured[c].count < 2.0 || simulated[c].count < 2.0; });
+    const PooledSpread m = spreadWithin(scattering, measured, channel, prior);
+    const PooledSpread s = spreadWithin(scattering, simulated, channel, prior);
+    if (m.degrees_of_freedom < 5.0 || s.degrees_of_freedom < 5.0) continue;
     const double small = 0.02 * prior;  // quantised outputs may not scatter at all
-    const double z = std::log((sum_m / dof_m + small) / (sum_s / dof_s + small)) /
-                     std::sqrt(2.0 / dof_m + 2.0 / dof_s + kSpreadFloor * kSpreadFloor);
+    const double error =
+        std::sqrt(2.0 / m.degrees_of_freedom + 2.0 / s.degrees_of_freedom + kSpreadFloor * kSpreadFloor);
+    const double z = std::log((m.variance + small) / (s.variance + small)) / error;
     // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
     const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size()));
     result += weight * groupLoss(z);
@@ -144,7 +175,10 @@ double meanError(const Replay& replay, const ReplaySample& sample, std::size_t c
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
-double discrepancy(const Replay& replay, const Comparison& comparison, Part part) {
+namespace {
+
+/// Of one sample, but for rare echoes from nowhere.
+double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
@@ -181,12 +215,21 @@ double discrepancy(const Replay& replay, const Comparison& comparison, Part part
     return cells[a].power_over_threshold < cells[b].power_over_threshold;
   });
   if (!sample.layout->pooled()) {
-    addRates(surfaces, measured, measured_frames, simulated, simulated_frames, result);
-    result += extraDiscrepancy(replay, comparison, part);
+    std::vector<std::size_t> sure = surfaces;
+    std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * deviationOf(sample, c) > kSureRate; });
+    addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
   }
   for (const Channel channel : replay.channels())
     addSpread(replay, sample, surfaces, channel, measured, simulated, result);
   return result;
+}
+
+}  // namespace
+
+double discrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
+  double sum = extraDiscrepancy(replay, comparisons, part);
+  for (const Comparison& comparison : comparisons) sum += ofSample(replay, comparison, part);
+  return sum;
 }
 
 }  // namespace gap

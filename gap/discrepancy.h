@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "gap/comparison.h"
 #include "gap/replay.h"
 
@@ -20,7 +22,7 @@ namespace gap {
 /// the detections per frame and the spread. Quadratic near zero, linear far out, so that a few badly sampled edge beams
 /// decide nothing. z is the difference over its standard error, which holds a floor: differences below a fraction of a
 /// resolution step are not worth explaining.
-[[nodiscard]] double discrepancy(const Replay& replay, const Comparison& comparison, Part part = {});
+[[nodiscard]] double discrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part = {});
 
 /// Standard error of the difference of two means of a cell: of its noise, of the resolution, and of what the
 /// reference's tolerance does to the power that the cell receives. [unit of the channel]

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "gap/discrepancy.h"
 
@@ -14,8 +16,10 @@ constexpr double kEdgeFloor = 0.004;   // detections per frame and beam: what th
 constexpr double kClearFloor = 2e-4;   // elsewhere: nothing but counting
 constexpr double kMostDeviation = 10;  // z of a mean or a spread; what one side lacks altogether costs as much
 constexpr double kFewest = 5.0;        // detections that make a mean
+constexpr double kMany = 30.0;         // that tell a sample from others
 constexpr double kSpreadError = 0.15;  // of the logarithm of a variance: such echoes are far from normal
 
+/// Detections of some cells, and in how many frames.
 struct Side {
   std::span<const CellStatistics> statistics;
   int frames;
@@ -27,20 +31,29 @@ struct Side {
   }
   [[nodiscard]] CellStatistics together(const std::vector<std::size_t>& cells) const {
     CellStatistics sum;
-    for (const std::size_t c : cells) {
-      sum.count += statistics[c].count;
-      for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        sum.sum[channel] += statistics[c].sum[channel];
-        sum.sum_of_squares[channel] += statistics[c].sum_of_squares[channel];
-      }
-    }
+    for (const std::size_t c : cells) add(sum, statistics[c]);
     return sum;
+  }
+  static void add(CellStatistics& sum, const CellStatistics& more) {
+    sum.count += more.count;
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+      sum.sum[channel] += more.sum[channel];
+      sum.sum_of_squares[channel] += more.sum_of_squares[channel];
+    }
   }
 };
 
-double weightOf(const std::vector<std::size_t>& cells) {
-  return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(kGroups));
-}
+/// What both sides have from nowhere, of one sample or of several.
+struct Extras {
+  CellStatistics measured, simulated;
+  std::size_t beams = 0;
+
+  void add(const Extras& more) {
+    Side::add(measured, more.measured);
+    Side::add(simulated, more.simulated);
+    beams += more.beams;
+  }
+};
 
 /// Detections per frame in so many groups of beams.
 double ofRates(const std::vector<std::size_t>& cells, const Side& measured, const Side& simulated, double floor,
@@ -59,9 +72,8 @@ double ofRates(const std::vector<std::size_t>& cells, const Side& measured, cons
   return std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size())) * result;
 }
 
-double ofValues(const Replay& replay, const std::vector<std::size_t>& cells, const Side& measured,
-                const Side& simulated) {
-  const CellStatistics m = measured.together(cells), s = simulated.together(cells);
+double ofValues(const Replay& replay, const Extras& extras) {
+  const CellStatistics &m = extras.measured, &s = extras.simulated;
   if (m.count < kFewest && s.count < kFewest) return 0.0;
   // No world may save itself a wrong mean by having none; nor does the step from few to enough cost anything.
   const double most = std::min(kMostDeviation, std::sqrt(std::max(m.count, s.count)) - std::sqrt(kFewest));
@@ -77,12 +89,11 @@ double ofValues(const Replay& replay, const std::vector<std::size_t>& cells, con
     }
     result += groupLoss(std::min(most, std::abs(of_mean))) + groupLoss(std::min(most, std::abs(of_spread)));
   }
-  return weightOf(cells) * result;
+  return std::sqrt(static_cast<double>(extras.beams) / static_cast<double>(kGroups)) * result;
 }
 
-}  // namespace
-
-double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Part part) {
+/// Of one sample: adds what its rates deviate to `result`, and returns its extras off all edges.
+Extras compare(const Replay& replay, const Comparison& comparison, Part part, double& result) {
   const ReplaySample& sample = replay.samples()[comparison.sample];
   const auto& cells = sample.layout->cells();
   std::vector<std::size_t> clear, edges;
@@ -91,14 +102,30 @@ double extraDiscrepancy(const Replay& replay, const Comparison& comparison, Part
   }
   const Side measured{comparison.measured, comparison.measured_frames};
   const Side simulated{comparison.simulated, comparison.simulated_frames};
-  double result = 0.0;
   if (!edges.empty()) result += ofRates(edges, measured, simulated, kEdgeFloor, kGroups);
-  if (!clear.empty()) {
-    // What is rare shows in all beams together, where it comes from in groups of them.
+  // What is rare shows in all beams together, where it comes from in groups of them.
+  if (!clear.empty())
     result +=
         ofRates(clear, measured, simulated, kClearFloor, 1) + ofRates(clear, measured, simulated, kClearFloor, kGroups);
-    result += ofValues(replay, clear, measured, simulated);
+  return {measured.together(clear), simulated.together(clear), clear.size()};
+}
+
+}  // namespace
+
+double extraDiscrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
+  double result = 0.0;
+  std::map<std::string, Extras> few;  // by sensor
+  for (const Comparison& comparison : comparisons) {
+    const ReplaySample& sample = replay.samples()[comparison.sample];
+    if (sample.layout->pooled()) continue;
+    const Extras extras = compare(replay, comparison, part, result);
+    if (extras.measured.count >= kMany) {
+      result += ofValues(replay, extras);
+    } else {
+      few[sample.sample->sensor].add(extras);
+    }
   }
+  for (const auto& [sensor, extras] : few) result += ofValues(replay, extras);
   return result;
 }
 

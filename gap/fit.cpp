@@ -275,9 +275,8 @@ std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, 
 }
 
 double total(const Replay& replay, const World& world, std::vector<Comparison>& comparisons, Part part) {
-  double sum = settle(replay, world, comparisons, part);
-  for (const Comparison& comparison : comparisons) sum += discrepancy(replay, comparison, part);
-  return sum;
+  const double settling = settle(replay, world, comparisons, part);
+  return settling + discrepancy(replay, comparisons, part);
 }
 
 /// One number of several alone, the others off: an effect may have several mechanisms, of which only one is at work,

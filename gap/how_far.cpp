@@ -21,6 +21,7 @@ constexpr std::size_t kMostGroups = 6;  // of set-ups, each left out in turn
 constexpr int kRefitFrames = 8;
 constexpr std::size_t kRuns = 3;        // of a world: a few false echoes far away make much of a pooled gap, or nothing
 constexpr double kMaterialTotal = 1.5;  // times the total gap of a right model
+constexpr double kLeastBeyond = 0.1;    // of the total gap of a right model: less is not known of what is beyond it
 
 double shrinkOf(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
 
@@ -117,7 +118,8 @@ double HeldOutGaps::leftIn(const World& world) const {
   double beyond = 0.0;
   for (std::size_t r = 0; r < kRuns; ++r)
     beyond += (toMeasurement(runs[r]) - between(runs[r], runs[(r + 1) % kRuns])) / static_cast<double>(kRuns);
-  return std::max(0.0, beyond / std::max(1e-9, before_.total - noise_));
+  // Of a gap that is no larger than noise, a share is one of noise.
+  return std::max(0.0, beyond / std::max({1e-9, kLeastBeyond * noise_, before_.total - noise_}));
 }
 
 double HeldOutGaps::shrinkTo(double after) const { return shrinkOf(before_.total, after); }

@@ -198,10 +198,11 @@ namespace {
 
 std::string findingSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
+  constexpr double kHardly = 0.005;  // would be said as 0 %
   const std::string shrink =
-      diagnosis.shrink.fraction > 0.0
+      diagnosis.shrink.fraction >= kHardly
           ? fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction))
-          : std::string("single beams agree on held-out samples, though the pooled gap does not shrink");
+          : std::string("single beams agree on held-out samples, though the pooled gap hardly shrinks");
   const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
   std::string ties;
   if (!verdict.indistinguishable_from.empty()) {
