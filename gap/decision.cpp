@@ -240,10 +240,14 @@ double enoughToName(const Yardstick& yardstick) {
 }
 
 /// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
-/// the gap that is.
+/// the gap that is: if it halves what is left where all data are pooled, or if what that member leaves would itself be
+/// a gap beyond doubt.
 bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
-  return pair.total_left < kPairGain * single.total_left && restOf(judge, single) > kNoRest &&
-         restOf(judge, pair) < kNoRest;
+  const double left_by_single = restOf(judge, single);
+  if (left_by_single < kNoRest || restOf(judge, pair) > kNoRest) return false;
+  const bool halves = pair.total_left < kPairGain * single.total_left;
+  const bool beyond_doubt = left_by_single > Yardstick::kClear_z && pair.total_left < single.total_left + kMaterialRest;
+  return halves || beyond_doubt;
 }
 
 /// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides

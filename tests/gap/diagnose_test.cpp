@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -179,6 +180,23 @@ TEST(Diagnose, NamesBothOfTwoEffectsThoughOneIsSmallBesideTheOther) {
   EXPECT_EQ(
       namedFor({{"atmospheric-attenuation", {{"visibility_m", 400}}}, {"detection-loss", {{"probability", 0.08}}}}),
       (std::vector<std::string>{"atmospheric-attenuation", "detection-loss"}));
+}
+
+// What the fog leaves where all data are pooled is that every wall stands 2 cm beside its recorded place, as it may.
+// The gains of the layers change nothing of that, but without them what is left in single cells is a gap of its own.
+TEST(Diagnose, NamesASecondCauseThatPooledDataHide) {
+  SmallWorld world;
+  world.knownToWithin(0.025);
+  const auto truth =
+      SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 800}}},
+                             {"photo-response-nonuniformity", {{"gain_per_layer", {1.005, 0.995, 1.005, 0.995}}}}});
+  const auto measured = world.measuredBy(
+      truth, 0.4, {{"r8", 0.02}, {"r13", -0.02}, {"r19", 0.02}, {"r27", -0.02}, {"r36", -0.02}, {"r46", 0.02}});
+  const gap::Diagnosis diagnosis =
+      diagnosed(measured, SmallWorld::modelWith({}),
+                {"atmospheric-attenuation", "photo-response-nonuniformity", "range-offset", "saturation"});
+  EXPECT_THAT(diagnosis.verdict.names,
+              testing::UnorderedElementsAre("atmospheric-attenuation", "photo-response-nonuniformity"));
 }
 
 // The fit of the dirt alone takes lost detections for dirt; where it ends, the residuals beside the losses say.
