@@ -7,18 +7,18 @@
 
 namespace gap {
 
-std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& simulated) {
+std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& expected) {
   const auto cell = [&replay](const CellPlace& place) -> const Cell& {
     return replay.samples()[place.sample].layout->cells()[place.cell];
   };
   const auto beam = [&replay, cell](const CellPlace& place) -> const model::Beam& {
     return replay.samples()[place.sample].beams[cell(place).beam];
   };
-  const auto mean = [&replay, &simulated](Channel channel) {
-    return [&replay, &simulated, channel](const CellPlace& place) {
-      const CellStatistics& s = simulated[place.sample][place.cell];
+  const auto mean = [&replay, &expected](Channel channel) {
+    return [&replay, &expected, channel](const CellPlace& place) {
+      const CellStatistics& x = expected[place.sample][place.cell];
       const CellStatistics& m = replay.samples()[place.sample].statistics[place.cell];
-      return m.count > 0.0 ? m.mean(channel) : s.count > 0.0 ? s.mean(channel) : NAN;
+      return x.count > 0.0 ? x.mean(channel) : m.count > 0.0 ? m.mean(channel) : NAN;
     };
   };
   std::vector<Covariate> list;

@@ -23,9 +23,11 @@ struct Covariate {
 };
 
 /// Everything that experiment and simulation know of the cells: range, direction, incidence angle, time in the frame,
-/// object, material, sensor, set-up, the parameters of the sample, and measured values (simulated ones where nothing
-/// was measured). Pooled data know no geometry. The functions refer to both arguments. [simulated: sample][cell]
+/// object, material, sensor, set-up, the parameters of the sample, and the values that are expected there (measured
+/// ones where nothing is). Pooled data know no geometry. `expected` is no simulation that residuals are taken from:
+/// among values that scatter, those that came out high have residuals that came out high, too. The functions refer to
+/// both arguments. [expected: sample][cell]
 [[nodiscard]] std::vector<Covariate> covariatesOf(const Replay& replay,
-                                                  const std::vector<std::vector<CellStatistics>>& simulated);
+                                                  const std::vector<std::vector<CellStatistics>>& expected);
 
 }  // namespace gap

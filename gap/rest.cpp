@@ -289,7 +289,7 @@ struct Sums {
 
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                            const WhereResult& after) {
-  const std::vector<Covariate> all = covariatesOf(replay, after.simulated);
+  const std::vector<Covariate> all = covariatesOf(replay, after.expected);
   Rest rest;
   Sums sums;
   for (const ResidualTable& table : after.tables) {

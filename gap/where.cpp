@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kQuantileGroups = 16;
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
 constexpr int kWhereFrames = 24;
+constexpr std::uint64_t kOtherNoise = 5000;  // added to the seed
 constexpr double kSignificant = 1e-3;
 constexpr double kMayBeNoise = 2.0;       // standard errors
 constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent of the simulated echoes
@@ -202,8 +203,8 @@ std::vector<ResidualTable> residualTables(const Replay& replay,
 }
 
 std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
-                                const std::vector<std::vector<CellStatistics>>& simulated) {
-  const std::vector<Covariate> covariates = covariatesOf(replay, simulated);
+                                const std::vector<std::vector<CellStatistics>>& expected) {
+  const std::vector<Covariate> covariates = covariatesOf(replay, expected);
   std::vector<WhereRow> result;
   for (const ResidualTable& table : tables) {
     const double all_gap = totalGapOf(table.rows);
@@ -237,7 +238,7 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
       result.push_back(std::move(row));
     }
   }
-  // The measurand with the largest gap first; within it the stratum that concentrates it most.
+  // The measurand with the largest gap first; within it the stratum that concentrates it most, what may be noise last.
   std::map<std::pair<std::string, std::string>, double> largest;
   for (const ResidualTable& table : tables) {
     const bool significant = std::any_of(result.begin(), result.end(), [&](const WhereRow& row) {
@@ -247,13 +248,15 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
   }
   std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
     const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
-    return excess_a != excess_b ? excess_a > excess_b : a.score > b.score;
+    const bool sure_a = a.p_value <= kSignificant, sure_b = b.p_value <= kSignificant;
+    if (excess_a != excess_b) return excess_a > excess_b;
+    return sure_a != sure_b ? sure_a : a.score > b.score;
   });
   return result;
 }
 
 WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed) {
-  std::vector<std::vector<CellStatistics>> simulated(replay.samples().size());
+  std::vector<std::vector<CellStatistics>> simulated(replay.samples().size()), expected(replay.samples().size());
   std::vector<int> frames(replay.samples().size());
   std::vector<Comparison> comparisons;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
@@ -262,12 +265,15 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
     comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
   }
   settle(replay, world, comparisons, {});
-  for (std::size_t s = 0; s < simulated.size(); ++s) simulated[s] = std::move(comparisons[s].simulated);
+  for (std::size_t s = 0; s < simulated.size(); ++s) {
+    simulated[s] = std::move(comparisons[s].simulated);
+    expected[s] = replay.simulate(world, s, frames[s], seed + kOtherNoise);
+  }
   WhereResult result;
   result.tables = residualTables(replay, simulated, frames);
-  result.rows = whereRows(replay, result.tables, simulated);
+  result.rows = whereRows(replay, result.tables, expected);
   result.sectors = sectorsIn(replay, result.tables);
-  result.simulated = std::move(simulated);
+  result.expected = std::move(expected);
   for (const ResidualTable& table : result.tables) {
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
   }

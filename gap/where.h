@@ -52,9 +52,10 @@ struct ResidualTable {
 
 /// The best stratum of every covariate in every table, best first: intervals of numeric covariates, sets of the others,
 /// found by exhaustive search over adjacent quantile groups. p-values are corrected for all strata tried (Bonferroni)
-/// and use beams, not single detections, as units.
+/// and use beams, not single detections, as units. What may be chance comes after what may not. `expected` as in
+/// covariates.h.
 [[nodiscard]] std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
-                                              const std::vector<std::vector<CellStatistics>>& simulated);
+                                              const std::vector<std::vector<CellStatistics>>& expected);
 
 /// Azimuths from one to another.
 struct Sector {
@@ -66,8 +67,8 @@ struct Sector {
 struct WhereResult {
   std::vector<WhereRow> rows;
   std::vector<ResidualTable> tables;
-  std::vector<std::vector<CellStatistics>> simulated;  ///< [sample][cell]
-  std::vector<Sector> sectors;                         ///< that explain the residuals best (sectors.h)
+  std::vector<std::vector<CellStatistics>> expected;  ///< by the world, under other noise; [sample][cell]
+  std::vector<Sector> sectors;                        ///< that explain the residuals best (sectors.h)
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
 };
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);

@@ -21,7 +21,7 @@ class MadeUpResiduals : public ::testing::Test {
     gap::ResidualTable table{"epw", "bias", "m", 0.04, {}};
     for (std::size_t s = 0; s < replay_.samples().size(); ++s) {
       const gap::ReplaySample& sample = replay_.samples()[s];
-      where.simulated.push_back(sample.statistics);
+      where.expected.push_back(sample.statistics);
       for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
         core::Random random({.sample = static_cast<std::uint32_t>(s), .beam = static_cast<std::uint32_t>(c)});
         table.rows.push_back(

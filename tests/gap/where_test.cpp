@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/wording.h"
+#include "tests/gap/small_world.h"
 
 namespace {
 
@@ -19,6 +20,23 @@ TEST(Where, ExcessIsZeroWhereResidualsAreNoLargerThanTheirErrors) {
 // sqrt(0.05² - (2·0.015)²) = 0.04: one step of 0.04 m in half of the rows.
 TEST(Where, ExcessCountsWhatTheErrorLeavesInStepsOfTheResolution) {
   EXPECT_NEAR(tableOf({0.05, 0.0}, 0.015).excess(), 0.5, 1e-12);
+}
+
+// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
+// high by chance are no stratum in which the model is wrong.
+TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
+  const test_support::SmallWorld world;
+  const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});
+  const auto measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
+  const gap::WhereResult where = gap::whereIn(replay, replay.baseline(), 1);
+  bool scatters = false;
+  for (const gap::WhereRow& row : where.rows) {
+    scatters = scatters || (row.measurand == "epw" && row.component == "scatter");
+    if (row.component != "bias") continue;
+    EXPECT_GT(row.p_value, 1e-3) << gap::whereSentence(row);
+  }
+  EXPECT_TRUE(scatters);
 }
 
 TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
