@@ -144,6 +144,10 @@ model::BeamHits joined(const model::BeamHits& hits, const std::vector<std::uint3
       into.add(hits.of(b), rays, hits.secondOf(b));
     }
   }
+  // Thousands of these are remembered: what they grew by for hits that did not come would be as much again.
+  const auto fit = [](auto&... columns) { (columns.shrink_to_fit(), ...); };
+  fit(result.hits.first, result.hits.range_m, result.hits.cos_incidence, result.hits.object, result.hits.ray,
+      result.rays.left_rad, result.rays.up_rad, result.rays.weight, result.second, result.first_second);
   return result;
 }
 
