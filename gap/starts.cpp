@@ -165,6 +165,8 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
       starts.add({{"from_m", r.high + kBit_m}, {"to_m", kFar_m}});
       starts.add({{"from_m", 0.0}, {"to_m", r.low - kBit_m}});
     }
+    if (where.gate.opens_m) starts.add({{"from_m", *where.gate.opens_m}, {"to_m", kFar_m}});
+    if (where.gate.closes_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.closes_m}});
   }
   if (starts.has("centre_x_m") && starts.has("centre_y_m")) {
     for (const Stratum& a : azimuths) {

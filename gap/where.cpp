@@ -6,6 +6,7 @@
 
 #include "gap/covariates.h"
 #include "gap/discrepancy.h"
+#include "gap/gate.h"
 #include "gap/sectors.h"
 #include "gap/settle.h"
 #include "gap/statistics.h"
@@ -273,6 +274,9 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   result.tables = residualTables(replay, simulated, frames);
   result.rows = whereRows(replay, result.tables, expected);
   result.sectors = sectorsIn(replay, result.tables);
+  for (const ResidualTable& table : result.tables) {
+    if (table.component == "missing") result.gate = gateIn(replay, table);
+  }
   result.expected = std::move(expected);
   for (const ResidualTable& table : result.tables) {
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});

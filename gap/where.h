@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,12 +64,19 @@ struct Sector {
   double to_deg = 0.0;
 };
 
+/// The ranges at which the loss of expected echoes begins: what a gate of the receiver would do. [m]
+struct Gate {
+  std::optional<double> opens_m;   ///< nearer, more echoes are lost than are there; nothing if it is so nowhere
+  std::optional<double> closes_m;  ///< the same beyond
+};
+
 /// Where a world differs from the measurement, the reference settled within its tolerance.
 struct WhereResult {
   std::vector<WhereRow> rows;
   std::vector<ResidualTable> tables;
   std::vector<std::vector<CellStatistics>> expected;  ///< by the world, under other noise; [sample][cell]
   std::vector<Sector> sectors;                        ///< that explain the residuals best (sectors.h)
+  Gate gate;                                          ///< that explains what is missing best (gate.h)
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
 };
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);

@@ -39,6 +39,28 @@ TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
   EXPECT_TRUE(scatters);
 }
 
+// The wall of r36 spans 36 to 38.3 m: no sixteenth of the data ends where the gate does.
+TEST(Where, SaysWhereAGateOfTheReceiverCloses) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto gated = test_support::SmallWorld::modelWith({{"range-gating", {{"from_m", 0.0}, {"to_m", 37.0}}}});
+  const auto measured = world.measuredBy(gated, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
+  ASSERT_TRUE(gate.closes_m);
+  EXPECT_NEAR(*gate.closes_m, 37.0, 0.1);  // two beams lie as far apart
+  EXPECT_FALSE(gate.opens_m);
+}
+
+TEST(Where, SeesNoGateWhereNothingIsMissing) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
+  EXPECT_FALSE(gate.closes_m || gate.opens_m);
+}
+
 TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
   gap::WhereRow row{.measurand = "epw",
                     .component = "bias",
