@@ -96,6 +96,27 @@ std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, c
   return distance(other) < distance(fitted) ? other : fitted;
 }
 
+/// The values with every number that does less than it costs put where it does nothing: an effect of several mechanisms
+/// says no more than it must.
+std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, std::vector<double> values) {
+  if (values.size() < 2 || hypothesis.per_setup) return values;
+  const auto distance = [&](const std::vector<double>& at) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, at), judge.split.refined);
+  };
+  double known = distance(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const FreeParameter& p = hypothesis.parameters[i];
+    if (p.logarithmic || values[i] == p.absent_at || p.absent_at < p.low || p.absent_at > p.high) continue;
+    std::vector<double> without = values;
+    without[i] = p.absent_at;
+    const double left = distance(without);
+    if (left > known + Judge::kNatsPerNumber) continue;
+    values = std::move(without);
+    known = left;
+  }
+  return values;
+}
+
 /// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
 /// sector may have ended between two of the few).
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
@@ -109,9 +130,10 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
   std::vector<double> suggested =
       nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
-  if (suggested.empty()) return refined;
+  if (suggested.empty()) return simplest(judge, candidate.hypothesis, refined);
   suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
-  return distance(suggested, evidence) < distance(refined, evidence) ? suggested : refined;
+  return simplest(judge, candidate.hypothesis,
+                  distance(suggested, evidence) < distance(refined, evidence) ? suggested : refined);
 }
 
 }  // namespace

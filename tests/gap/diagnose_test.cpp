@@ -134,6 +134,19 @@ TEST(Diagnose, SaysParameterWhereTheEchoPulseWidthScattersMoreThanItsProfile) {
   EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/sensor/detection/epw_noise_m"});
 }
 
+// Only the duration of the pulses jitters. The effect's other number says nothing and is counted as a choice unless it
+// is where it does nothing.
+TEST(Diagnose, PutsANumberThatSaysNothingWhereItDoesNothing) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"pulse-jitter", {{"duration_stddev_ns", 0.3}}}});
+  const auto diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}), {"pulse-jitter"});
+  ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"pulse-jitter"});
+  for (const gap::FittedParameter& parameter : diagnosis.causes.front().parameters) {
+    const bool jitters = parameter.name == "duration_stddev_ns";
+    EXPECT_NEAR(parameter.value, jitters ? 0.3 : 0.0, jitters ? 0.015 : 0.0) << parameter.name;
+  }
+}
+
 TEST(Diagnose, BlamesTheReferenceWhereOneSetUpStandsElsewhereThanRecorded) {
   const SmallWorld world;
   const auto model = SmallWorld::modelWith({});
