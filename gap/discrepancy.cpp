@@ -13,14 +13,13 @@ namespace gap {
 
 namespace {
 
-constexpr double kFloorSteps = 0.2;  // of the resolution: smaller mean differences are not worth explaining
-constexpr double kIntensityFloor =
-    0.004;                            // of what a whole beam returns: sub-ray grids of two programs agree no better
-constexpr double kRateOfPower = 2.0;  // most that the detection rate changes with the relative power, at the threshold
-constexpr double kSureRate = 0.5;    // detections per frame: cells whose rate is known no better are no part of a group
-constexpr double kRateFloor = 0.03;  // detections per frame and cell
-constexpr double kSpreadFloor = 0.05;      // of the logarithm of a variance
-constexpr double kLostCell = 20.0;         // z per channel of a surface that only one side detects in every frame
+constexpr double kFloorSteps = 0.2;        // of the resolution: smaller mean differences are not worth explaining
+constexpr double kIntensityFloor = 0.004;  // of a whole beam's: sub-ray grids of two programs agree no better
+constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
+constexpr double kSureRate = 0.5;      // detections per frame: no group has cells whose rate is known no better
+constexpr double kRateFloor = 0.03;    // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;  // of the logarithm of a variance
+constexpr double kLostCell = 20.0;     // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
@@ -50,7 +49,7 @@ double squaredFloor(const Replay& replay, Channel channel, double value) {
 }
 
 /// How far the power that a cell receives may be off, relative to it: by the reference's tolerance and, where an edge
-/// cuts the beam, by the sub-rays. A hundredth of a beam beyond an edge is known to a third.
+/// cuts the beam, by the sub-rays. A hundredth of a beam beyond an edge is known to 0.4 of itself.
 double deviationOf(const ReplaySample& sample, std::size_t cell) {
   constexpr double kWhole = 0.999;
   const double share = sample.layout->cells()[cell].share;
