@@ -281,10 +281,13 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
 const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 1 ? "it" : "one of them"; }
 
 std::string answerSentence(const Diagnosis& diagnosis) {
-  constexpr double kSure = 0.6;  // below, confidenceInWords says "not sure"
+  constexpr double kSure = 0.6;    // below, confidenceInWords says "not sure"
+  constexpr double kLikely = 0.4;  // below, "hardly more than a guess"
   const std::string answer = plainAnswer(diagnosis);
   const bool claims = diagnosis.verdict.kind != VerdictKind::kUnknown && diagnosis.verdict.kind != VerdictKind::kNone;
-  return claims && diagnosis.verdict.confidence < kSure ? "Likely, but not sure: " + lowerFirst(answer) : answer;
+  if (!claims || diagnosis.verdict.confidence >= kSure) return answer;
+  const bool likely = diagnosis.verdict.confidence >= kLikely;
+  return (likely ? "Likely, but not sure: " : "Possibly, hardly more than a guess: ") + lowerFirst(answer);
 }
 
 std::string whereClause(const WhereRow& row) {

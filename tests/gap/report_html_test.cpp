@@ -208,6 +208,17 @@ TEST(GapPage, SaysWhenDataAreSyntheticAndWhenNoSampleCouldBeHeldOut) {
   EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("Likely, but not sure")));
   d.verdict.confidence = 0.5;
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("Likely, but not sure: the measurement shows"));
+  d.verdict.confidence = 0.3;
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("Possibly, hardly more than a guess: the measurement shows"));
+}
+
+TEST(GapPage, SaysWhenChanceAloneWouldMakeTheLargestDifference) {
+  gap::Diagnosis d = fogDiagnosis();
+  ASSERT_FALSE(d.where.empty());
+  d.where.front().p_value = 1e-9;
+  EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("It may be chance.")));
+  d.where.front().p_value = 0.5;
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("It may be chance."));
 }
 
 TEST(GapPage, ListsAcceptanceTestsWhoseVerdictChanges) {
