@@ -130,10 +130,11 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
   std::vector<double> suggested =
       nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
-  if (suggested.empty()) return simplest(judge, candidate.hypothesis, refined);
-  suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
-  return simplest(judge, candidate.hypothesis,
-                  distance(suggested, evidence) < distance(refined, evidence) ? suggested : refined);
+  if (!suggested.empty()) {
+    suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
+    if (distance(suggested, evidence) < distance(refined, evidence)) refined = std::move(suggested);
+  }
+  return simplest(judge, candidate.hypothesis, std::move(refined));
 }
 
 }  // namespace

@@ -117,6 +117,15 @@ const char* columnOf(Channel channel) {
   return kColumns[channel];
 }
 
+CellStatistics& CellStatistics::operator+=(const CellStatistics& more) {
+  count += more.count;
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    sum[channel] += more.sum[channel];
+    sum_of_squares[channel] += more.sum_of_squares[channel];
+  }
+  return *this;
+}
+
 double CellStatistics::variance(Channel channel) const {
   if (count < 2.0) return 0.0;
   return std::max(0.0, (sum_of_squares[channel] - sum[channel] * sum[channel] / count) / (count - 1.0));

@@ -18,6 +18,9 @@ enum Channel : std::size_t { kRange, kEpw, kIntensity, kChannels };
 /// The column of a measurement that carries it.
 [[nodiscard]] const char* columnOf(Channel channel);
 
+/// Of a beam: which part of it meets a surface is known no better; sub-ray grids of two programs agree no better.
+constexpr double kShareError = 0.004;
+
 /// Where measured and simulated detections are paired: one surface seen by one beam of one sample. The frames of a
 /// sample are repetitions of a cell. What the simulation knows of it comes from the baseline's geometry.
 struct Cell {
@@ -36,6 +39,7 @@ struct CellStatistics {
   std::array<double, kChannels> sum{};
   std::array<double, kChannels> sum_of_squares{};  ///< about `anchor` (range) or zero
 
+  CellStatistics& operator+=(const CellStatistics& more);  ///< of cells with the same anchor
   [[nodiscard]] double mean(Channel channel) const { return sum[channel] / count; }
   [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
 };

@@ -204,10 +204,10 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
   double p_value = 1.0;
   const auto matters = [&](const Candidate& candidate) {
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
-    const bool seen_in_cells = !candidate.hypothesis.seen_in_values;
-    if (seen_in_cells && candidate.explained <= 0.0) return false;  // other samples than those held out may gain
-    if (seen_in_cells && !movesRays(exact.replay, world)) return gaps.with(world, progress).shrink.interval.high > 0.0;
-    return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink;
+    const auto shrinks = [&] { return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink; };
+    if (candidate.hypothesis.seen_in_values) return shrinks();
+    if (candidate.explained <= 0.0) return false;  // other samples than those held out may gain
+    return movesRays(exact.replay, world) ? shrinks() : gaps.with(world, progress).shrink.interval.high > 0.0;
   };
   Proofs proofs(quick, exact);
   for (Candidate& candidate : worthALook(quick, decision.singles)) {

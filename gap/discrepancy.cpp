@@ -13,8 +13,7 @@ namespace gap {
 
 namespace {
 
-constexpr double kFloorSteps = 0.2;        // of the resolution: smaller mean differences are not worth explaining
-constexpr double kIntensityFloor = 0.004;  // of a whole beam's: sub-ray grids of two programs agree no better
+constexpr double kFloorSteps = 0.2;    // of the resolution: smaller mean differences are not worth explaining
 constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
 constexpr double kSureRate = 0.5;      // detections per frame: no group has cells whose rate is known no better
 constexpr double kRateFloor = 0.03;    // detections per frame and cell
@@ -44,25 +43,15 @@ double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel 
 
 double squaredFloor(const Replay& replay, Channel channel, double value) {
   const double steps = kFloorSteps * replay.resolution(channel);
-  const double relative = channel == kIntensity ? kIntensityFloor * value : 0.0;
+  const double relative = channel == kIntensity ? kShareError * value : 0.0;
   return steps * steps + relative * relative;
-}
-
-/// How far the power that a cell receives may be off, relative to it: by the reference's tolerance and, where an edge
-/// cuts the beam, by the sub-rays. A hundredth of a beam beyond an edge is known to 0.4 of itself.
-double deviationOf(const ReplaySample& sample, std::size_t cell) {
-  constexpr double kWhole = 0.999;
-  const double share = sample.layout->cells()[cell].share;
-  const double of_rays = share < kWhole ? kIntensityFloor / share : 0.0;
-  return cell < sample.power_deviation.size() ? std::hypot(static_cast<double>(sample.power_deviation[cell]), of_rays)
-                                              : of_rays;
 }
 
 /// What the reference's tolerance does to a mean by way of the received power (settle.h moves what is common to a
 /// surface; this is for edges, of which every one moves otherwise).
 double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
                         const CellStatistics& simulated) {
-  const double of_power = deviationOf(sample, cell), mean = simulated.mean(channel);
+  const double of_power = sample.power_deviation[cell], mean = simulated.mean(channel);
   if (of_power == 0.0 || channel == kRange) return 0.0;
   if (channel == kIntensity) return mean * mean * of_power * of_power;
   const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
@@ -193,12 +182,12 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     const bool often =
         std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected && !cells[c].at_edge;
     if (!sample.layout->pooled() && (surface || often)) {
-      result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * deviationOf(sample, c));
+      result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * sample.power_deviation[c]);
     }
     if (!surface && !often) continue;
     if (surface) surfaces.push_back(c);
     const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
-    const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * deviationOf(sample, c));
+    const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * sample.power_deviation[c]);
     if (m.count == 0.0 || s.count == 0.0) {
       // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
       result += static_cast<double>(replay.channels().size()) * robustLoss(lost);
@@ -215,7 +204,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
   });
   if (!sample.layout->pooled()) {
     std::vector<std::size_t> sure = surfaces;
-    std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * deviationOf(sample, c) > kSureRate; });
+    std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * sample.power_deviation[c] > kSureRate; });
     addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
   }
   for (const Channel channel : replay.channels())

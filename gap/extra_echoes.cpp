@@ -31,15 +31,8 @@ struct Side {
   }
   [[nodiscard]] CellStatistics together(const std::vector<std::size_t>& cells) const {
     CellStatistics sum;
-    for (const std::size_t c : cells) add(sum, statistics[c]);
+    for (const std::size_t c : cells) sum += statistics[c];
     return sum;
-  }
-  static void add(CellStatistics& sum, const CellStatistics& more) {
-    sum.count += more.count;
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
-      sum.sum[channel] += more.sum[channel];
-      sum.sum_of_squares[channel] += more.sum_of_squares[channel];
-    }
   }
 };
 
@@ -49,8 +42,8 @@ struct Extras {
   std::size_t beams = 0;
 
   void add(const Extras& more) {
-    Side::add(measured, more.measured);
-    Side::add(simulated, more.simulated);
+    measured += more.measured;
+    simulated += more.simulated;
     beams += more.beams;
   }
 };

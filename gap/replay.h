@@ -36,9 +36,9 @@ struct ReplaySample {
   std::vector<CellStatistics> statistics;  ///< of the measurement
   std::unique_ptr<CellLayout> layout;
   std::vector<Tolerance> tolerances;
-  /// Of every surface cell: relative standard deviation of its received power as the reference moves within its
-  /// epistemic intervals; large where an edge cuts the beam. Empty without intervals.
-  std::vector<float> power_deviation;
+  /// Of every cell: how far the power that it receives may be off, relative to it: as the reference moves within its
+  /// epistemic intervals, and by the sub-rays. Large where an edge cuts the beam.
+  std::vector<double> power_deviation;
   std::vector<model::Beam> beams;
   std::vector<std::uint32_t> taken;     ///< which beams of the scan these are; empty: all of them
   std::vector<model::Beam> whole_scan;  ///< if only some are taken

@@ -187,12 +187,6 @@ bool isNamed(const Diagnosis& diagnosis, const Cause& cause) {
   return std::find(names.begin(), names.end(), cause.name) != names.end();
 }
 
-/// Said of a difference that noise alone may make.
-const char* chanceText(const WhereRow& row) {
-  constexpr double kNoChance = 0.001;
-  return row.p_value > kNoChance ? " It may be chance." : "";
-}
-
 void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<report::KeyValue> facts;
   const std::string strength = strengthText(diagnosis);
@@ -210,12 +204,13 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
                                                        causeTitle(diagnosis, nearest.name),
                                                        percent(std::max(0.0, nearest.explained)), why_not))});
   }
-  if (diagnosis.present && !diagnosis.where.empty())
-    facts.push_back(
-        {"Where it shows most",
-         report::text(fmt::format("{}. This part holds {} of the data and {} of that difference.{}",
-                                  whereClause(diagnosis.where.front()), percent(diagnosis.where.front().size),
-                                  percent(diagnosis.where.front().share), chanceText(diagnosis.where.front())))});
+  if (diagnosis.present && !diagnosis.where.empty()) {
+    const WhereRow& most = diagnosis.where.front();
+    facts.push_back({"Where it shows most",
+                     report::text(fmt::format("{}. This part holds {} of the data and {} of that difference.{}",
+                                              whereClause(most), percent(most.size), percent(most.share),
+                                              most.mayBeChance() ? " It may be chance." : ""))});
+  }
   facts.push_back({"From which data", report::text(evidenceText(diagnosis))});
   std::vector<std::string> notes = diagnosis.notes;
   if (diagnosis.approximation) notes.insert(notes.begin(), diagnosis.approximation->text);

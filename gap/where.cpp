@@ -19,9 +19,8 @@ constexpr std::size_t kQuantileGroups = 16;
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
 constexpr int kWhereFrames = 24;
 constexpr std::uint64_t kOtherNoise = 5000;  // added to the seed
-constexpr double kSignificant = 1e-3;
-constexpr double kMayBeNoise = 2.0;       // standard errors
-constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent of the simulated echoes
+constexpr double kMayBeNoise = 2.0;          // standard errors
+constexpr double kExistenceScale = 0.01;     // the total gap counts existence in per cent of the simulated echoes
 
 using Row = ResidualTable::Row;
 
@@ -243,13 +242,13 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
   std::map<std::pair<std::string, std::string>, double> largest;
   for (const ResidualTable& table : tables) {
     const bool significant = std::any_of(result.begin(), result.end(), [&](const WhereRow& row) {
-      return row.measurand == table.measurand && row.component == table.component && row.p_value <= kSignificant;
+      return row.measurand == table.measurand && row.component == table.component && !row.mayBeChance();
     });
     largest[{table.measurand, table.component}] = significant ? std::max(table.excess(), table.commonShift()) : 0.0;
   }
   std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
     const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
-    const bool sure_a = a.p_value <= kSignificant, sure_b = b.p_value <= kSignificant;
+    const bool sure_a = !a.mayBeChance(), sure_b = !b.mayBeChance();
     if (excess_a != excess_b) return excess_a > excess_b;
     return sure_a != sure_b ? sure_a : a.score > b.score;
   });
@@ -283,7 +282,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   }
   for (const WhereRow& row : result.rows) {
     for (const ResidualTable& table : result.tables) {
-      if (table.measurand != row.measurand || table.component != row.component || row.p_value > kSignificant) continue;
+      if (table.measurand != row.measurand || table.component != row.component || row.mayBeChance()) continue;
       result.largest_steps = std::max(result.largest_steps, std::abs(row.value) / table.scale);
     }
   }

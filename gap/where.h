@@ -23,6 +23,8 @@ struct WhereRow {
   double size = 0.0;     ///< of the detections (shots) that lie in it
   double p_value = 1.0;  ///< corrected for the search
   double score = 0.0;    ///< by which rows of one measurand and component are ranked
+
+  [[nodiscard]] bool mayBeChance() const { return p_value > 1e-3; }
 };
 
 /// Measured minus simulated of every cell, with everything that is known about it.

@@ -13,7 +13,14 @@ namespace gap {
 
 namespace {
 
-std::string listOf(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, " and ")); }
+constexpr double kSure = 0.6;    // below, confidenceInWords says "not sure"
+constexpr double kLikely = 0.4;  // below, "hardly more than a guess"
+
+/// "a", "a and b", "a, b and c".
+std::string listOf(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
 
 /// A covariate in a sentence, "{0}" and "{1}" being the ends of the stratum; and where both are the same.
 struct StratumWording {
@@ -165,8 +172,8 @@ std::string intervalText(const Interval& interval, const std::string& unit) {
 std::string confidenceInWords(double confidence) {
   if (confidence >= 0.95) return "very sure";
   if (confidence >= 0.8) return "quite sure";
-  if (confidence >= 0.6) return "fairly sure";
-  if (confidence >= 0.4) return "not sure";
+  if (confidence >= kSure) return "fairly sure";
+  if (confidence >= kLikely) return "not sure";
   return "hardly more than a guess";
 }
 
@@ -281,8 +288,6 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
 const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 1 ? "it" : "one of them"; }
 
 std::string answerSentence(const Diagnosis& diagnosis) {
-  constexpr double kSure = 0.6;    // below, confidenceInWords says "not sure"
-  constexpr double kLikely = 0.4;  // below, "hardly more than a guess"
   const std::string answer = plainAnswer(diagnosis);
   const bool claims = diagnosis.verdict.kind != VerdictKind::kUnknown && diagnosis.verdict.kind != VerdictKind::kNone;
   if (!claims || diagnosis.verdict.confidence >= kSure) return answer;
