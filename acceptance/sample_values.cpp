@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "gap/existence.h"
+#include "gap/distance/existence.h"
 
 namespace acceptance {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gap/candidates.h"
-#include "gap/decision.h"
 #include "gap/diagnosis.h"
+#include "gap/which/candidates.h"
+#include "gap/which/decision.h"
 
 namespace gap {
 

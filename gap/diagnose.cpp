@@ -3,15 +3,15 @@
 #include <cmath>
 
 #include "gap/background.h"
-#include "gap/belief.h"
-#include "gap/candidates.h"
-#include "gap/decision.h"
 #include "gap/diagnosis.h"
-#include "gap/evidence_limits.h"
-#include "gap/frame_mode.h"
-#include "gap/how_far.h"
-#include "gap/pictures.h"
-#include "gap/wording.h"
+#include "gap/far/how_far.h"
+#include "gap/report/wording.h"
+#include "gap/where/pictures.h"
+#include "gap/which/belief.h"
+#include "gap/which/candidates.h"
+#include "gap/which/decision.h"
+#include "gap/which/evidence_limits.h"
+#include "gap/which/frame_mode.h"
 #include "model/external/external_runs.h"
 
 namespace gap {
@@ -312,22 +312,6 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
 
 }  // namespace
 
-std::string toString(VerdictKind kind) {
-  switch (kind) {
-    case VerdictKind::kNone:
-      return "none";
-    case VerdictKind::kEffect:
-      return "effect";
-    case VerdictKind::kParameter:
-      return "parameter";
-    case VerdictKind::kReference:
-      return "reference";
-    case VerdictKind::kUnknown:
-      return "unknown";
-  }
-  return "";
-}
-
 Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& given, const DiagnoseOptions& options,
                    core::Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -377,7 +361,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
         restOf(replay, exact.split, where, added ? whereIn(replay, winnersWorld(replay, decision), seed) : where);
   }
   diagnosis.notes = notesOn(replay);
-  if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), sentenceOf(*frames));
+  if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);
   heedLimits(diagnosis);

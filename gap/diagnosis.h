@@ -6,22 +6,20 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "gap/ablation.h"
-#include "gap/confusion.h"
-#include "gap/hypotheses.h"
-#include "gap/proxy.h"
-#include "gap/rest.h"
-#include "gap/total_gap.h"
-#include "gap/tried.h"
+#include "gap/causes/hypotheses.h"
+#include "gap/distance/total_gap.h"
+#include "gap/far/how_far.h"
+#include "gap/far/proxy.h"
 #include "gap/twice_judged_test.h"
-#include "gap/where.h"
+#include "gap/where/pictures.h"
+#include "gap/where/where.h"
+#include "gap/which/ablation.h"
+#include "gap/which/confusion.h"
+#include "gap/which/decision.h"
+#include "gap/which/rest.h"
+#include "gap/which/tried.h"
 
 namespace gap {
-
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-};
 
 /// A fitted number with its uncertainty over the set-ups.
 struct FittedParameter {
@@ -31,11 +29,6 @@ struct FittedParameter {
   std::optional<Interval> interval;   ///< 95 %, over set-ups; absent where it was not computed
   std::optional<Interval> plausible;  ///< the range that was searched
   std::optional<double> recorded;     ///< what the model file or the experiment says, of a wrong parameter
-};
-
-struct Shrink {
-  double fraction = 0.0;  ///< 1 - after/before of the total gap on held-out samples
-  Interval interval;      ///< 90 %, of what a repetition of the held-out experiments would show
 };
 
 /// A hypothesis after its fit.
@@ -54,43 +47,6 @@ struct Cause {
   std::vector<std::string> chain;  ///< node ids from the cause up to the phenomenon, if a graph was given
   std::vector<std::string> chain_titles;
 };
-
-/// Measured minus simulated over the beams of one sample, for a map. Large scans are averaged over neighbouring beams.
-struct ResidualMap {
-  struct Point {
-    double azimuth_deg;
-    std::size_t row;  ///< in `rows`
-    double value;     ///< NaN: a beam was fired there, and neither side has data
-  };
-  std::string measurand;
-  std::string component;  ///< "bias" (of the mean), "scatter", "missing" or "extra"
-  std::string unit;
-  std::string sample;
-  double azimuth_step_deg = 1.0;
-  std::vector<std::string> rows;  ///< what they are called, lowest elevation first
-  std::vector<Point> points;
-};
-
-/// The total gap of one held-out sample without and with the verdict's cause.
-struct SampleTotals {
-  std::string sample;
-  std::string setup;
-  double before = 0.0;
-  double after = 0.0;
-};
-
-/// Values of one measurand in one held-out sample, for curves.
-struct BeforeAfterValues {
-  std::string measurand;
-  std::string unit;
-  std::string sample;
-  std::vector<double> measured;
-  std::vector<double> before;
-  std::vector<double> after;  ///< empty if no cause was added
-};
-
-enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
-[[nodiscard]] std::string toString(VerdictKind kind);
 
 /// What speaks for the best cause (or pair), on held-out data.
 struct VerdictEvidence {

@@ -10,9 +10,9 @@
 #include "core/text.h"
 #include "gap/chain.h"
 #include "gap/diagnosis.h"
-#include "gap/report_html.h"
-#include "gap/report_json.h"
-#include "gap/wording.h"
+#include "gap/report/html.h"
+#include "gap/report/json.h"
+#include "gap/report/wording.h"
 #include "percollect/read_graph.h"
 
 namespace app {

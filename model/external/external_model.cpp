@@ -27,7 +27,7 @@ std::vector<std::string> readCommand(core::JsonObject& object) {
 
 ExternalModel read(core::JsonObject& object) {
   ExternalModel model;
-  if (object.has("proxy")) {  // for whoever needs a built-in model in its place, out of the file: gap/proxy.h
+  if (object.has("proxy")) {  // for whoever needs a built-in model in its place, out of the file: gap/far/proxy.h
     const nlohmann::json& proxy = object.raw("proxy");
     if (!proxy.is_string() && !proxy.is_object()) {
       object.fail("proxy", "is neither the name of a model file nor an object.",

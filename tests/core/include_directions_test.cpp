@@ -64,6 +64,22 @@ TEST(IncludeDirections, EveryFolderIncludesOnlyWhatStandsBelowIt) {
   }
 }
 
+// The rooms of the diagnosis stand one upon the other. What is not in a room puts them together.
+TEST(IncludeDirections, EveryRoomOfTheDiagnosisIncludesOnlyWhatStandsBelowIt) {
+  const std::vector<std::string> rooms = {"replay", "distance", "where", "causes", "far", "which"};
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const std::set<std::string> allowed(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    ASSERT_FALSE(sourcesOf("gap/" + rooms[i]).empty());
+    for (const auto& file : sourcesOf("gap/" + rooms[i])) {
+      for (const std::string& include : includesOf(file)) {
+        if (!include.starts_with("gap/")) continue;
+        const std::string rest = include.substr(4);
+        EXPECT_TRUE(allowed.contains(rest.substr(0, rest.find('/')))) << file << " includes " << include;
+      }
+    }
+  }
+}
+
 // What judges is blind to where samples come from: a metric must not read files, know detections or print.
 TEST(IncludeDirections, NoMetricKnowsAboutFilesScreensOrSensors) {
   const std::set<std::string> allowed_of_core = {"core/error.h", "core/parallel.h", "core/progress.h", "core/random.h",

@@ -9,9 +9,9 @@
 
 #include "core/json_object.h"
 #include "core/physics.h"
-#include "gap/existence.h"
-#include "gap/replay.h"
-#include "gap/total_gap.h"
+#include "gap/distance/existence.h"
+#include "gap/distance/total_gap.h"
+#include "gap/replay/replay.h"
 #include "tests/support/paths.h"
 
 // The visible cases come from a generator that shares no code with the model. With the withheld cause put in with its

@@ -2,7 +2,7 @@
 
 #include "core/file.h"
 #include "gap/diagnosis.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 #include "tests/gap/small_world.h"
 #include "tests/support/thrown_message.h"
 

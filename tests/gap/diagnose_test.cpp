@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "gap/diagnosis.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 #include "tests/gap/small_world.h"
 
 // The measurement is made by our own model, with other noise: these cases are easier than foreign ones and show that

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-#include "gap/belief.h"
-#include "gap/candidates.h"
-#include "gap/decision.h"
-#include "gap/rivals.h"
-#include "gap/significance.h"
-#include "gap/starts.h"
+#include "gap/causes/starts.h"
+#include "gap/which/belief.h"
+#include "gap/which/candidates.h"
+#include "gap/which/decision.h"
+#include "gap/which/rivals.h"
+#include "gap/which/significance.h"
 #include "tests/gap/small_world.h"
 
 // How the values of a cause are searched, and what counts when causes are compared.

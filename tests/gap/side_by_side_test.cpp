@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "core/json_object.h"
+#include "gap/causes/layer_gains.h"
 #include "gap/diagnosis.h"
-#include "gap/layer_gains.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 #include "model/simulate.h"
 #include "tests/gap/small_world.h"
 

@@ -3,7 +3,7 @@
 #include "cepra/csv.h"
 #include "core/json_object.h"
 #include "gap/chain.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 #include "model/experiment.h"
 #include "percollect/read_graph.h"
 #include "specs/import_graph.h"

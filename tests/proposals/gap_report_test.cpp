@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/json_object.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 #include "tests/proposals/demo_project.h"
 #include "tests/support/thrown_message.h"
 

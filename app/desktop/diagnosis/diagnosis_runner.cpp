@@ -3,7 +3,7 @@
 #include "acceptance/flips.h"
 #include "core/json_object.h"
 #include "gap/chain.h"
-#include "gap/report_json.h"
+#include "gap/report/json.h"
 
 namespace desktop {
 

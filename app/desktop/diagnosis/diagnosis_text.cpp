@@ -8,7 +8,7 @@
 #include "app/desktop/colours.h"
 #include "app/desktop/html.h"
 #include "core/text.h"
-#include "gap/wording.h"
+#include "gap/report/wording.h"
 
 namespace desktop {
 

@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gap/causes/kinds.h"
+#include "gap/causes/layer_gains.h"
+#include "gap/causes/range_comb.h"
+
+namespace gap {
+
+namespace {
+
+constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
+
+/// The number that an effect declares under this name.
+FreeParameter declared(const model::EffectInfo& info, const std::string& name) {
+  const auto p = std::find_if(info.parameters.begin(), info.parameters.end(),
+                              [&](const model::ParameterInfo& parameter) { return parameter.name == name; });
+  const double low = p->logarithmic && p->min <= 0.0 ? p->max * 1e-4 : p->min;
+  return {p->name, p->unit, low, p->max, p->logarithmic, std::clamp(p->typical, low, p->max), p->absent_at, p->whole};
+}
+
+model::EffectParameters parametersOf(const std::vector<std::string>& names, const std::vector<double>& values) {
+  model::EffectParameters parameters;
+  for (std::size_t i = 0; i < names.size(); ++i) parameters.numbers[names[i]] = values[i];
+  return parameters;
+}
+
+Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std::string>& fitted,
+                            const std::string& variant) {
+  Hypothesis hypothesis;
+  hypothesis.kind = CauseKind::kEffect;
+  hypothesis.name = info.name;
+  hypothesis.variant = variant;
+  hypothesis.percollect = info.percollect;
+  hypothesis.decomposition_block = model::toString(info.stage);
+  for (const std::string& name : fitted) hypothesis.parameters.push_back(declared(info, name));
+  const std::string effect = info.name;
+  hypothesis.apply = [effect, fitted](World& world, const std::vector<double>& values) {
+    world.model = model::withEffect(world.model, {effect, parametersOf(fitted, values), {}});
+  };
+  return hypothesis;
+}
+
+/// The fit may cross the ends of a sector.
+void orderSector(Hypothesis& hypothesis) {
+  hypothesis.apply = [inner = hypothesis.apply, parameters = hypothesis.parameters](World& world,
+                                                                                    const std::vector<double>& values) {
+    inner(world, inOrder(parameters, values));
+  };
+}
+
+/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
+void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
+  FreeParameter& step = hypothesis.parameters.front();  // of the range
+  const std::optional<Comb> comb = rangeComb(replay);
+  if (!comb || comb->step > step.high) return;
+  step.start = comb->step;
+  step.low = comb->step - comb->uncertain;
+  step.high = comb->step + comb->uncertain;
+  hypothesis.seen_in_values = true;
+}
+
+/// A cloud may hang anywhere in front of the sensor, at its height.
+void placeCloud(Hypothesis& hypothesis) {
+  const auto inner = hypothesis.apply;
+  const std::size_t x = hypothesis.parameters.size();
+  const std::string effect = hypothesis.name;
+  hypothesis.parameters.push_back({"centre_x_m", "m", 0.5, 60.0, false, 10.0});
+  hypothesis.parameters.push_back({"centre_y_m", "m", -30.0, 30.0, false, 0.0});
+  hypothesis.apply = [inner, x, effect](World& world, const std::vector<double>& values) {
+    inner(world, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(x)});
+    for (const model::ActiveEffect& active : world.model.effects) {
+      if (active.name != effect) continue;
+      model::ActiveEffect placed = active;
+      placed.parameters.lists["centre"] = {values[x], values[x + 1], 0.0};
+      world.model = model::withEffect(world.model, placed);
+      return;
+    }
+  };
+}
+
+/// The effect on some sensors only.
+Hypothesis restricted(const Hypothesis& everywhere, const std::vector<std::string>& sensors) {
+  Hypothesis hypothesis = everywhere;
+  hypothesis.sensors = sensors;
+  hypothesis.apply = [inner = everywhere.apply, effect = everywhere.name, sensors](World& world,
+                                                                                   const std::vector<double>& values) {
+    inner(world, values);
+    for (const model::ActiveEffect& active : world.model.effects) {
+      if (active.name != effect) continue;
+      world.model = model::withEffect(world.model, {effect, active.parameters, sensors});
+      return;
+    }
+  };
+  return hypothesis;
+}
+
+/// Which sensors an effect may be limited to: every part of two or three, single ones of more.
+std::vector<std::vector<std::string>> partsOf(const std::vector<std::string>& sensors) {
+  constexpr std::size_t kAllParts = 3;
+  std::vector<std::vector<std::string>> parts;
+  const std::size_t most = sensors.size() <= kAllParts ? sensors.size() - 1 : 1;
+  for (std::size_t bits = 1; sensors.size() < 16 && bits < (std::size_t{1} << sensors.size()); ++bits) {
+    std::vector<std::string> part;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+      if ((bits >> i & 1U) != 0) part.push_back(sensors[i]);
+    }
+    if (part.size() <= most) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+void addParts(const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
+  if (sensors.size() < 2) return;
+  const std::vector<Hypothesis> everywhere = list;
+  for (const auto& part : partsOf(sensors)) {
+    for (const Hypothesis& hypothesis : everywhere) list.push_back(restricted(hypothesis, part));
+  }
+}
+
+/// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
+bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std::vector<std::string>& fitted) {
+  const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
+  const bool of_ways = entry.info.name == "transmission" || entry.info.name == "multipath";
+  if (!of_motion && !of_ways) return true;
+  if (of_motion && replay.baseline().model.has("motion-scan")) return true;  // the sensor itself may move
+  std::vector<double> typical;
+  for (const std::string& name : fitted) typical.push_back(declared(entry.info, name).start);
+  const auto effect = entry.make(parametersOf(fitted, typical));
+  for (const ReplaySample& sample : replay.samples()) {
+    const model::Scene scene = model::situationOf(replay.experiment(), *sample.sample).scene;
+    const auto moves = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
+    const auto shines = [&](const model::Material& m) { return effect->letsThrough(m) || effect->mirrors(m); };
+    if (of_motion && std::any_of(scene.objects.begin(), scene.objects.end(), moves)) return true;
+    if (of_ways && std::any_of(scene.materials.begin(), scene.materials.end(), shines)) return true;
+  }
+  return false;
+}
+
+/// Whether the model lacks an effect and `only` allows it. Angle clipping changes no byte of the output.
+bool considered(const Replay& replay, const std::string& effect, const std::vector<std::string>& only) {
+  if (replay.baseline().model.has(effect) || effect == "angle-clipping") return false;
+  return only.empty() || std::find(only.begin(), only.end(), effect) != only.end();
+}
+
+void addEffects(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
+  for (const model::EffectEntry& entry : model::allEffects()) {
+    const model::EffectInfo& info = entry.info;
+    if (!considered(replay, info.name, only) || info.name == kUnevenLayers) continue;
+    if (hasSubject(replay, entry, info.fitted)) {
+      list.push_back(effectHypothesis(info, info.fitted, ""));
+      orderSector(list.back());
+      if (info.name == "exhaust-cloud") placeCloud(list.back());
+      if (info.name == "quantisation") narrowToComb(replay, list.back());
+    }
+    for (const model::FittedForm& form : info.other_forms) {
+      if (!hasSubject(replay, entry, form.parameters)) continue;
+      list.push_back(effectHypothesis(info, form.parameters, form.name));
+      list.back().costly = form.costly;
+    }
+  }
+}
+
+/// An uneven gain of the layers has the pattern that the data of some sensors show; how strong it is, is fitted. The
+/// gains of all layers would be as many numbers as there are layers.
+void addPattern(const Replay& replay, const model::EffectInfo& info, const std::vector<std::string>& seen_by,
+                const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
+  std::vector<double> pattern = unevenPartOf(layerGains(replay, seen_by));
+  double squares = 0.0;
+  for (double& gain : pattern) {
+    gain -= 1.0;
+    squares += gain * gain;
+  }
+  if (squares <= 0.0) return;
+  const double stddev = std::sqrt(squares / static_cast<double>(pattern.size()));
+  for (double& deviation : pattern) deviation /= stddev;
+  Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
+  hypothesis.sensors = sensors;
+  hypothesis.parameters.front().start = std::min(stddev, hypothesis.parameters.front().high);
+  hypothesis.apply = [pattern, sensors](World& world, const std::vector<double>& values) {
+    model::ActiveEffect uneven{kUnevenLayers, {}, sensors};
+    for (const double deviation : pattern)
+      uneven.parameters.lists["gain_per_layer"].push_back(std::max(0.05, 1.0 + values[0] * deviation));
+    world.model = model::withEffect(world.model, uneven);
+  };
+  list.push_back(std::move(hypothesis));
+}
+
+/// Of all sensors together, and of every part of them, each with its own pattern.
+void addPatterns(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
+  const model::EffectInfo& info = model::findEffect(kUnevenLayers)->info;
+  if (!considered(replay, info.name, only)) return;
+  const std::vector<std::string>& sensors = replay.experiment().sensors;
+  addPattern(replay, info, sensors.empty() ? std::vector<std::string>{""} : sensors, {}, list);
+  if (sensors.size() < 2) return;
+  for (const auto& part : partsOf(sensors)) addPattern(replay, info, part, part, list);
+}
+
+}  // namespace
+
+void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
+  addEffects(replay, only, list);
+  addParts(replay.experiment().sensors, list);
+  addPatterns(replay, only, list);
+}
+
+}  // namespace gap

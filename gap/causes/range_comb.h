@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gap/replay/replay.h"
+
+namespace gap {
+
+/// Steps of a counter: all values are multiples of one number.
+struct Comb {
+  double step;       ///< [unit of the values]
+  double uncertain;  ///< of the step: an eighth of a turn of the farthest value's phase [unit of the values]
+};
+
+/// The comb on which the values lie, but for rounding of so much to either side: sought about the smallest distance of
+/// two, where their periodogram is highest (Schuster 1898, Terr. Magn. 3, 13: n scattered values reach a mean cosine a
+/// by chance with exp(-n a²)) and neighbours lie one step apart. Nothing if they lie on none that is clearly coarser
+/// than the rounding, or reach too many steps far for it to be told. `values` need not be in order.
+[[nodiscard]] std::optional<Comb> combOf(std::vector<double> values, double rounding);
+
+/// The comb of all measured ranges, if it is coarser than the steps of the sensors' own profiles. [m]
+[[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay);
+
+}  // namespace gap

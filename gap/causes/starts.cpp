@@ -1,0 +1,192 @@
+#include "gap/causes/starts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "core/physics.h"
+#include "gap/replay/statistics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kMostStrata = 4;                           // of azimuth, and of range
+constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
+
+/// Where the echoes are that no surface makes, if they lie together: medians, and the width of an even distribution
+/// with their median deviation.
+struct ExtraEchoes {
+  double azimuth_deg, width_deg, range_m;
+};
+
+/// Echoes that one beam has where no surface is.
+struct Extra {
+  double range_m, azimuth_deg, count;
+};
+
+/// The most echoes that lie within a tenth of their distance (a metre at least); `all` by range. Echoes of a second
+/// cause may be spread over all ranges, and would move a mean or median of all to where there are none.
+std::span<const Extra> densestOf(std::span<const Extra> all) {
+  std::span<const Extra> densest;
+  double most = 0.0, count = 0.0;
+  for (std::size_t from = 0, to = 0; from < all.size(); ++from) {
+    const double end_m = all[from].range_m + std::max(1.0, 0.1 * all[from].range_m);
+    for (; to < all.size() && all[to].range_m <= end_m; ++to) count += all[to].count;
+    if (count > most) {
+      most = count;
+      densest = all.subspan(from, to - from);
+    }
+    count -= all[from].count;
+  }
+  return densest;
+}
+
+std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
+  constexpr std::size_t kFewest = 5;
+  std::vector<Extra> all;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
+      const CellStatistics& s = sample.statistics[c];
+      if (s.count == 0.0 || sample.layout->cells()[c].at_edge) continue;
+      all.push_back(
+          {s.mean(kRange), sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad, s.count});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Extra& a, const Extra& b) { return a.range_m < b.range_m; });
+  const auto densest = densestOf(all);
+  if (densest.size() < kFewest) return std::nullopt;
+  std::vector<double> azimuths_deg, ranges_m, deviations_deg;
+  for (const Extra& extra : densest) {
+    azimuths_deg.push_back(extra.azimuth_deg);
+    ranges_m.push_back(extra.range_m);
+  }
+  const double middle_deg = medianOf(azimuths_deg);
+  for (const double azimuth_deg : azimuths_deg) deviations_deg.push_back(std::abs(azimuth_deg - middle_deg));
+  return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
+}
+
+struct Stratum {
+  double low, high;
+};
+
+std::vector<Stratum> strataOf(const std::vector<WhereRow>& where, const std::string& covariate) {
+  std::vector<Stratum> strata;
+  for (const WhereRow& row : where) {
+    const auto same = [&](const Stratum& s) { return s.low == row.low && s.high == row.high; };
+    if (row.covariate != covariate || strata.size() >= kMostStrata) continue;
+    if (std::none_of(strata.begin(), strata.end(), same)) strata.push_back({row.low, row.high});
+  }
+  return strata;
+}
+
+/// The starts of a hypothesis, built up parameter by parameter.
+class Starts {
+ public:
+  explicit Starts(const Hypothesis& hypothesis) : parameters_(hypothesis.parameters) {
+    for (const FreeParameter& parameter : parameters_) typical_.push_back(parameter.start);
+  }
+
+  [[nodiscard]] bool has(const std::string& name) const { return place(name).has_value(); }
+  using Setting = std::vector<std::pair<std::string, double>>;
+  void add(const Setting& setting) {
+    std::vector<double> start = typical_;
+    for (const auto& [name, value] : setting) {
+      if (const auto at = place(name)) start[*at] = std::clamp(value, parameters_[*at].low, parameters_[*at].high);
+    }
+    list_.push_back(std::move(start));
+  }
+  /// Every start so far with several values of `strength`.
+  void vary(const std::vector<std::string>& settled) {
+    std::vector<std::vector<double>> varied;
+    for (const auto& start : list_) {
+      for (const double share : kStrengths) {
+        varied.push_back(start);
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+          const FreeParameter& p = parameters_[i];
+          if (std::count(settled.begin(), settled.end(), p.name) > 0) continue;
+          varied.back()[i] = p.logarithmic ? p.low * std::pow(p.high / p.low, share) : p.low + share * (p.high - p.low);
+        }
+      }
+    }
+    list_ = std::move(varied);
+  }
+  [[nodiscard]] std::vector<std::vector<double>> list() const { return list_; }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> place(const std::string& name) const {
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      if (parameters_[i].name == name) return i;
+    }
+    return std::nullopt;
+  }
+  const std::vector<FreeParameter>& parameters_;
+  std::vector<double> typical_;
+  std::vector<std::vector<double>> list_;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
+                                            const WhereResult& where) {
+  const double half_deg = azimuthStep_deg(replay) / 2.0;
+  const auto ranges = strataOf(where.rows, "range_m");
+  auto azimuths = strataOf(where.rows, "azimuth_deg");
+  for (const Sector& sector : where.sectors) azimuths.push_back({sector.from_deg + half_deg, sector.to_deg - half_deg});
+  Starts starts(hypothesis);
+  if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) {
+    for (const Stratum& a : azimuths)
+      starts.add({{"azimuth_from_deg", a.low - half_deg}, {"azimuth_to_deg", a.high + half_deg}});
+    starts.vary({"azimuth_from_deg", "azimuth_to_deg"});
+  }
+  if (starts.has("azimuth_deg")) {
+    for (const Stratum& a : azimuths) {
+      const Starts::Setting there = {{"azimuth_deg", (a.low + a.high) / 2.0},
+                                     {"width_deg", a.high - a.low + 2.0 * half_deg}};
+      if (!starts.has("range_m")) starts.add(there);
+      for (const Stratum& r : ranges) {
+        Starts::Setting at = there;
+        at.emplace_back("range_m", (r.low + r.high) / 2.0);
+        if (starts.has("range_m")) starts.add(at);
+      }
+    }
+    if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
+  }
+  if (starts.has("azimuth_deg") && starts.has("range_m")) {
+    if (const auto extra = extraEchoes(replay)) {
+      starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
+    }
+  }
+  if (starts.has("from_m") && starts.has("to_m")) {
+    constexpr double kFar_m = 1e9, kBit_m = 0.01;
+    for (const Stratum& r : ranges) {
+      starts.add({{"from_m", r.high + kBit_m}, {"to_m", kFar_m}});
+      starts.add({{"from_m", 0.0}, {"to_m", r.low - kBit_m}});
+    }
+    if (where.gate.opens_m) starts.add({{"from_m", *where.gate.opens_m}, {"to_m", kFar_m}});
+    if (where.gate.closes_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.closes_m}});
+  }
+  if (starts.has("centre_x_m") && starts.has("centre_y_m")) {
+    for (const Stratum& a : azimuths) {
+      const double azimuth_rad = (a.low + a.high) / 2.0 * core::kRadPerDeg;
+      const double width_rad = (a.high - a.low + 2.0 * half_deg) * core::kRadPerDeg;
+      for (const double r : kDistances_m) {
+        starts.add({{"centre_x_m", r * std::cos(azimuth_rad)},
+                    {"centre_y_m", r * std::sin(azimuth_rad)},
+                    {"size_m", r * width_rad}});
+      }
+    }
+    if (const auto extra = extraEchoes(replay)) {
+      const double azimuth_rad = extra->azimuth_deg * core::kRadPerDeg;
+      starts.add({{"centre_x_m", extra->range_m * std::cos(azimuth_rad)},
+                  {"centre_y_m", extra->range_m * std::sin(azimuth_rad)},
+                  {"size_m", extra->range_m * extra->width_deg * core::kRadPerDeg}});
+    }
+    starts.vary({"centre_x_m", "centre_y_m", "size_m"});
+  }
+  return starts.list();
+}
+
+}  // namespace gap

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "gap/replay/cells.h"
+
+namespace gap {
+
+/// All beam columns, or every second one (to hold the rest out).
+enum class Half { kAll, kEven, kOdd };
+
+/// Which cells of a sample take part.
+struct Part {
+  Half half = Half::kAll;
+  bool edges = true;  ///< cells of beams at edges, too
+};
+
+/// Measured and simulated statistics of one sample, to be compared.
+struct Comparison {
+  std::size_t sample = 0;  ///< in the replay
+  std::span<const CellStatistics> measured;
+  int measured_frames = 1;
+  std::vector<CellStatistics> simulated;
+  int simulated_frames = 1;
+};
+
+/// Begin and end of so many nearly equal parts of a list, fewer if it is shorter.
+[[nodiscard]] inline std::vector<std::pair<std::size_t, std::size_t>> evenParts(std::size_t size, std::size_t most) {
+  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  const std::size_t count = std::min(most, size);
+  for (std::size_t g = 0; g < count; ++g) parts.emplace_back(size * g / count, size * (g + 1) / count);
+  return parts;
+}
+
+}  // namespace gap

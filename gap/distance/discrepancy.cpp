@@ -1,0 +1,223 @@
+#include "gap/distance/discrepancy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/physics.h"
+#include "gap/distance/extra_echoes.h"
+#include "gap/replay/statistics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kFloorSteps = 0.2;    // of the resolution: smaller mean differences are not worth explaining
+constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
+constexpr double kSureRate = 0.5;      // detections per frame: no group has cells whose rate is known no better
+constexpr double kRateFloor = 0.03;    // detections per frame and cell
+constexpr double kSpreadFloor = 0.05;  // of the logarithm of a variance
+constexpr double kLostCell = 20.0;     // z per channel of a surface that only one side detects in every frame
+constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
+constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
+constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
+constexpr std::size_t kGroups = 6;         // groups of like power in which rates and spreads are compared
+
+/// Variance that the profile states for one detection: a prior where a cell has few of them.
+double priorVariance(const Replay& replay, const ReplaySample& sample, Channel channel) {
+  const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
+  const double step = replay.resolution(channel);
+  double noise = step;
+  if (channel == kRange) noise = sensor.detection.range_noise_m;
+  if (channel == kEpw) noise = sensor.detection.epw_noise_m;
+  if (channel == kIntensity) noise = 1e9 * sensor.receiver.noise_w;
+  return noise * noise + step * step / 12.0;
+}
+
+double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
+  const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
+  return (dof_a * a.variance(channel) + dof_b * b.variance(channel) + kPriorDetections * prior) /
+         (dof_a + dof_b + kPriorDetections);
+}
+
+double squaredFloor(const Replay& replay, Channel channel, double value) {
+  const double steps = kFloorSteps * replay.resolution(channel);
+  const double relative = channel == kIntensity ? kShareError * value : 0.0;
+  return steps * steps + relative * relative;
+}
+
+/// What the reference's tolerance does to a mean by way of the received power (settle.h moves what is common to a
+/// surface; this is for edges, of which every one moves otherwise).
+double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                        const CellStatistics& simulated) {
+  const double of_power = sample.power_deviation[cell], mean = simulated.mean(channel);
+  if (of_power == 0.0 || channel == kRange) return 0.0;
+  if (channel == kIntensity) return mean * mean * of_power * of_power;
+  const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
+  const double pulse_m = core::kMetresPerNanosecond * sensor.emitter.pulse_fwhm_ns;
+  const double of_width = pulse_m * pulse_m / (2.0 * std::numbers::ln2 * std::max(0.2 * pulse_m, mean)) * of_power;
+  return of_width * of_width;
+}
+
+double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
+  const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
+  const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
+  const double error =
+      variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor + of_power * of_power;
+  return robustLoss((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
+}
+
+/// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
+void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatistics> measured, int measured_frames,
+              std::span<const CellStatistics> simulated, int simulated_frames, double& result) {
+  for (const auto& [begin, end] : evenParts(cells.size(), kGroups)) {
+    const auto size = static_cast<double>(end - begin);
+    double m = 0.0, s = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      m += measured[cells[i]].count / (size * measured_frames);
+      s += simulated[cells[i]].count / (size * simulated_frames);
+    }
+    const double rate = std::clamp(0.5 * (m + s), 0.5 / (size * measured_frames), 1.0);
+    const double variance = std::max(rate * (1.0 - rate), 0.02 * rate) / size;
+    const double error = variance / measured_frames + variance / simulated_frames + kGroupRateFloor * kGroupRateFloor;
+    const double weight = std::sqrt(size);
+    result += weight * groupLoss((m - s) / std::sqrt(error));
+  }
+}
+
+struct PooledSpread {
+  double degrees_of_freedom = 0.0;
+  double variance = 0.0;
+};
+
+/// Variance within some cells. None counts with more than ten times what is usual among them or stated by the profile:
+/// one foreign pulse that is merged with an echo would outweigh all the others.
+PooledSpread spreadWithin(std::span<const std::size_t> cells, std::span<const CellStatistics> statistics,
+                          Channel channel, double prior) {
+  constexpr double kMostOfUsual = 10.0;
+  std::vector<double> variances;
+  for (const std::size_t c : cells) variances.push_back(statistics[c].variance(channel));
+  std::vector<double> sorted = variances;
+  const double most = kMostOfUsual * std::max(prior, sorted.empty() ? 0.0 : medianOf(sorted));
+  PooledSpread pooled;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double freedom = statistics[cells[i]].count - 1.0;
+    pooled.degrees_of_freedom += freedom;
+    sum += freedom * std::min(most, variances[i]);
+  }
+  pooled.variance = sum / std::max(1.0, pooled.degrees_of_freedom);
+  return pooled;
+}
+
+/// Spread within cells, pooled over groups of cells of like predicted power.
+void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
+               std::span<const CellStatistics> measured, std::span<const CellStatistics> simulated, double& result) {
+  const double prior = priorVariance(replay, sample, channel);
+  const auto groups = evenParts(cells.size(), kGroups);
+  for (const auto& [begin, end] : groups) {
+    std::vector<std::size_t> scattering(cells.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        cells.begin() + static_cast<std::ptrdiff_t>(end));
+    std::erase_if(scattering, [&](std::size_t c) { return measured[c].count < 2.0 || simulated[c].count < 2.0; });
+    const PooledSpread m = spreadWithin(scattering, measured, channel, prior);
+    const PooledSpread s = spreadWithin(scattering, simulated, channel, prior);
+    if (m.degrees_of_freedom < 5.0 || s.degrees_of_freedom < 5.0) continue;
+    const double small = 0.02 * prior;  // quantised outputs may not scatter at all
+    const double error =
+        std::sqrt(2.0 / m.degrees_of_freedom + 2.0 / s.degrees_of_freedom + kSpreadFloor * kSpreadFloor);
+    const double z = std::log((m.variance + small) / (s.variance + small)) / error;
+    // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
+    const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size()));
+    result += weight * groupLoss(z);
+  }
+}
+
+}  // namespace
+
+double robustLoss(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
+
+double groupLoss(double z) { return robustLoss(std::max(0.0, std::abs(z) - 1.0)); }
+
+bool takesPart(const ReplaySample& sample, const Cell& cell, Part part) {
+  if (!part.edges && cell.at_edge) return false;
+  if (part.half == Half::kAll) return true;
+  const bool odd = (sample.beams[cell.beam].column & 1) != 0;
+  return odd == (part.half == Half::kOdd);
+}
+
+double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                       const CellStatistics& measured, const CellStatistics& simulated) {
+  const double variance = pooledVariance(measured, simulated, channel, priorVariance(replay, sample, channel));
+  return std::sqrt(variance / measured.count + variance / simulated.count +
+                   squaredFloor(replay, channel, simulated.mean(channel)) +
+                   squaredTolerance(replay, sample, cell, channel, simulated));
+}
+
+double meanError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
+                 const CellStatistics& measured, const CellStatistics& simulated) {
+  const double prior = replay.resolution(channel) * replay.resolution(channel) / 12.0;
+  const double variance = pooledVariance(measured, simulated, channel, prior);
+  return std::sqrt(variance / measured.count + variance / simulated.count +
+                   squaredFloor(replay, channel, simulated.mean(channel)) +
+                   squaredTolerance(replay, sample, cell, channel, simulated));
+}
+
+namespace {
+
+/// Of one sample, but for rare echoes from nowhere.
+double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
+  const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
+  const ReplaySample& sample = replay.samples()[index];
+  const auto& cells = sample.layout->cells();
+  double result = 0.0;
+  std::vector<std::size_t> surfaces;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!takesPart(sample, cells[c], part)) continue;
+    const CellStatistics &m = measured[c], &s = simulated[c];
+    if (m.count == 0.0 && s.count == 0.0) continue;
+    const bool surface = c < sample.layout->surfaces();
+    // A rare echo from nowhere, which no world puts into the same beam, is left to extraDiscrepancy; so is one beside
+    // an edge: whether a beam still grazes a bright surface, a millimetre decides, or the number of rays.
+    const bool often =
+        std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected && !cells[c].at_edge;
+    if (!sample.layout->pooled() && (surface || often)) {
+      result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * sample.power_deviation[c]);
+    }
+    if (!surface && !often) continue;
+    if (surface) surfaces.push_back(c);
+    const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
+    const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * sample.power_deviation[c]);
+    if (m.count == 0.0 || s.count == 0.0) {
+      // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
+      result += static_cast<double>(replay.channels().size()) * robustLoss(lost);
+      continue;
+    }
+    for (const Channel channel : replay.channels()) {
+      const double z = std::abs(m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s);
+      // Two echoes that no surface makes may have nothing to do with each other: then one is lost, the other made up.
+      result += robustLoss(surface ? z : std::min(z, lost));
+    }
+  }
+  std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
+    return cells[a].power_over_threshold < cells[b].power_over_threshold;
+  });
+  if (!sample.layout->pooled()) {
+    std::vector<std::size_t> sure = surfaces;
+    std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * sample.power_deviation[c] > kSureRate; });
+    addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
+  }
+  for (const Channel channel : replay.channels())
+    addSpread(replay, sample, surfaces, channel, measured, simulated, result);
+  return result;
+}
+
+}  // namespace
+
+double discrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
+  double sum = extraDiscrepancy(replay, comparisons, part);
+  for (const Comparison& comparison : comparisons) sum += ofSample(replay, comparison, part);
+  return sum;
+}
+
+}  // namespace gap

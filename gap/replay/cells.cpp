@@ -1,0 +1,309 @@
+#include "gap/replay/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "core/error.h"
+#include "core/grouped.h"
+#include "core/physics.h"
+#include "gap/replay/statistics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kFewForAMedian = 4;
+constexpr double kOutlier = 6.0;       // standard deviations
+constexpr double kNormalMad = 1.4826;  // standard deviation of a normal distribution over its median deviation
+
+struct Surface {
+  std::int32_t object;
+  double weight = 0.0;
+  double range = 0.0;  // weighted sums
+  double incidence = 0.0;
+};
+
+/// The surfaces that a beam meets, near ones merged: the chain would report them as one echo.
+std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubRays& rays, double separation_m) {
+  std::vector<Surface> surfaces;
+  for (const model::Hit& hit : hits) {
+    auto known =
+        std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
+    if (known == surfaces.end()) known = surfaces.insert(surfaces.end(), Surface{hit.object});
+    const double weight = rays.weight[hit.ray];
+    known->weight += weight;
+    known->range += weight * hit.range_m;
+    known->incidence += weight * std::acos(std::min(1.0F, hit.cos_incidence));
+  }
+  for (Surface& surface : surfaces) {
+    surface.range /= surface.weight;
+    surface.incidence /= surface.weight;
+  }
+  std::sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) { return a.range < b.range; });
+  std::vector<Surface> kept;
+  for (const Surface& surface : surfaces) {
+    if (!kept.empty() && surface.range - kept.back().range < separation_m) {
+      if (surface.weight > kept.back().weight) kept.back() = surface;
+    } else {
+      kept.push_back(surface);
+    }
+  }
+  return kept;
+}
+
+/// Of a beam, that meets something behind a pane or by way of a mirror; 1 where nothing does.
+double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
+  double share = 0.0;
+  for (const model::SecondHit& second : hits.secondOf(beam)) share += hits.rays.weight[second.hit.ray];
+  return share > 0.0 ? std::min(1.0, share) : 1.0;
+}
+
+/// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
+std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
+  constexpr std::int32_t kNone = -1, kMixed = -2;
+  constexpr double kWhole = 0.999;
+  double weight = 0.0;
+  std::int32_t object = kNone;
+  for (const model::Hit& hit : of_beam) {
+    if (object != kNone && hit.object != object) return kMixed;
+    object = hit.object;
+    weight += rays.weight[hit.ray];
+  }
+  return object == kNone || weight > kWhole ? object : kMixed;
+}
+
+/// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.
+std::vector<bool> edgesOf(const model::BeamHits& hits) {
+  constexpr double kNext = 2.2;  // steps of the scan
+  std::vector<std::uint32_t> order(hits.beams.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(hits.beams[a].layer, hits.beams[a].azimuth_rad, a) <
+           std::tie(hits.beams[b].layer, hits.beams[b].azimuth_rad, b);
+  });
+  const auto step = [&](std::size_t i) {  // to the next of the layer
+    const model::Beam &a = hits.beams[order[i]], &b = hits.beams[order[i + 1]];
+    return a.layer == b.layer ? b.azimuth_rad - a.azimuth_rad : std::numeric_limits<double>::infinity();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    if (step(i) > 1e-6) least = std::min(least, step(i));
+  }
+  std::vector<std::int32_t> sole(order.size());
+  for (std::uint32_t b = 0; b < order.size(); ++b) sole[b] = soleObject(hits.of(b), hits.rays);
+  std::vector<bool> at_edge(order.size());
+  for (std::uint32_t b = 0; b < order.size(); ++b) at_edge[b] = sole[b] < -1;
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    if (step(i) > kNext * least || sole[order[i]] == sole[order[i + 1]]) continue;
+    at_edge[order[i]] = at_edge[order[i + 1]] = true;
+  }
+  return at_edge;
+}
+
+}  // namespace
+
+const char* nameOf(Channel channel) {
+  constexpr const char* kNames[] = {"range", "epw", "intensity"};
+  return kNames[channel];
+}
+
+const char* columnOf(Channel channel) {
+  constexpr const char* kColumns[] = {"range_m", "epw_m", "intensity"};
+  return kColumns[channel];
+}
+
+CellStatistics& CellStatistics::operator+=(const CellStatistics& more) {
+  count += more.count;
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    sum[channel] += more.sum[channel];
+    sum_of_squares[channel] += more.sum_of_squares[channel];
+  }
+  return *this;
+}
+
+double CellStatistics::variance(Channel channel) const {
+  if (count < 2.0) return 0.0;
+  return std::max(0.0, (sum_of_squares[channel] - sum[channel] * sum[channel] / count) / (count - 1.0));
+}
+
+CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
+                       bool directions_recorded)
+    : pooled_(!directions_recorded) {
+  const model::ChainSettings& settings = baseline.settings();
+  const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
+  const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
+  reach_m_ = std::max(1.0, 2.0 * separation_m);
+  const double step_m = settings.detection.range_resolution_m, noise_m = settings.detection.range_noise_m;
+  tolerance_m_ = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
+  if (pooled_) {
+    cells_ = {{.object = 0}};
+    surfaces_ = 1;
+    return;
+  }
+  first_.push_back(0);
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    double power_w = 0.0;
+    for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
+    for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
+      cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
+                        surface.weight});
+    }
+    first_.push_back(static_cast<std::uint32_t>(cells_.size()));
+  }
+  surfaces_ = cells_.size();
+  const std::vector<bool> at_edge = edgesOf(hits);
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b)
+    cells_.push_back({.beam = b, .share = shareOfSecondWays(hits, b), .at_edge = at_edge[b]});
+}
+
+std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) const {
+  std::vector<Seen> seen(surfaces_, {std::numeric_limits<double>::quiet_NaN(), 0.0});
+  for (std::size_t c = 0; c < surfaces_; ++c) {
+    double weight = 0.0, sum = 0.0;
+    for (const model::Hit& hit : hits.of(cells_[c].beam)) {
+      if (hit.object != cells_[c].object) continue;
+      weight += hits.rays.weight[hit.ray];
+      sum += hits.rays.weight[hit.ray] * hit.range_m;
+      seen[c].power += hits.rays.weight[hit.ray] * static_cast<double>(hit.cos_incidence) / (hit.range_m * hit.range_m);
+    }
+    if (weight > 0.0) seen[c].range_m = sum / weight;
+  }
+  return seen;
+}
+
+std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
+  if (pooled_) return 0;
+  std::size_t best = surfaces_ + beam;
+  double best_distance = reach_m_;
+  for (std::size_t c = first_[beam]; c < first_[beam + 1]; ++c) {
+    const double distance = std::abs(cells_[c].anchor_m - range_m);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = c;
+    }
+  }
+  return best;
+}
+
+void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
+                     const std::array<double, kChannels>& values) const {
+  CellStatistics& s = statistics[cell];
+  s.count += 1.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double value = c == kRange ? values[c] - cells_[cell].anchor_m : values[c];
+    s.sum[c] += value;
+    s.sum_of_squares[c] += value * value;
+  }
+}
+
+std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) const {
+  std::vector<std::size_t> cell_of(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) cell_of[i] = cellOf(values[i].beam, values[i].of[kRange]);
+  if (pooled_) return cell_of;
+
+  const core::Grouped by_cell(cell_of, cells_.size());
+  std::vector<double> ranges;
+  for (std::size_t c = 0; c < surfaces_; ++c) {
+    if (by_cell.of(c).size() < kFewForAMedian) continue;
+    ranges.clear();
+    for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
+    const double median = medianOf(ranges);
+    for (double& range : ranges) range = std::abs(range - median);
+    const double tolerance = std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges));
+    for (const std::uint32_t i : by_cell.of(c)) {
+      if (std::abs(values[i].of[kRange] - median) > tolerance) cell_of[i] = surfaces_ + values[i].beam;
+    }
+  }
+  return cell_of;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
+  const std::vector<std::size_t> cell_of = cellsOf(values);
+  std::vector<CellStatistics> statistics(cells_.size());
+  for (std::size_t i = 0; i < values.size(); ++i) add(statistics, cell_of[i], values[i].of);
+  return statistics;
+}
+
+std::vector<CellLayout::Value> CellLayout::valuesOf(const std::vector<model::Shot>& shots) const {
+  std::vector<Value> values;
+  values.reserve(shots.size());
+  for (const model::Shot& shot : shots)
+    values.push_back({pooled_ ? 0 : shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
+  return values;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Shot>& shots) const {
+  return statisticsOf(valuesOf(shots));
+}
+
+std::vector<std::size_t> CellLayout::cellsOf(const std::vector<model::Shot>& shots) const {
+  return cellsOf(valuesOf(shots));
+}
+
+std::vector<CellLayout::Value> CellLayout::valuesOf(const core::Detections& detections,
+                                                    const std::vector<std::uint32_t>& beam_of) const {
+  std::vector<Value> values;
+  values.reserve(detections.size());
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    values.push_back({pooled_ ? 0 : beam_of[i],
+                      {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
+                       detections.intensity.empty() ? 0.0 : detections.intensity[i]}});
+  }
+  return values;
+}
+
+std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& detections,
+                                                     const std::vector<std::uint32_t>& beam_of) const {
+  return statisticsOf(valuesOf(detections, beam_of));
+}
+
+std::vector<std::size_t> CellLayout::cellsOf(const core::Detections& detections,
+                                             const std::vector<std::uint32_t>& beam_of) const {
+  return cellsOf(valuesOf(detections, beam_of));
+}
+
+std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections, const std::vector<model::Beam>& beams,
+                                             const std::filesystem::path& file) {
+  if (!detections.hasDirections()) return std::vector<std::uint32_t>(detections.size(), 0);
+  std::map<std::int32_t, std::vector<std::uint32_t>> layers;
+  for (std::uint32_t b = 0; b < beams.size(); ++b) layers[beams[b].layer].push_back(b);
+  for (auto& [layer, list] : layers) {
+    std::sort(list.begin(), list.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return beams[a].azimuth_rad < beams[b].azimuth_rad; });
+  }
+  const auto distance = [&](std::uint32_t b, std::size_t i) {
+    return std::hypot(beams[b].azimuth_rad - detections.azimuth_rad[i],
+                      beams[b].elevation_rad - detections.elevation_rad[i]);
+  };
+  constexpr double kFarthest_rad = 0.035;  // two degrees: beyond that the profile is not this sensor's
+  std::vector<std::uint32_t> result(detections.size());
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    const auto layer = layers.find(detections.layer[i]);
+    if (layer == layers.end()) {
+      throw core::InputError(
+          {.file = file, .line = static_cast<int>(i) + 2},
+          fmt::format("layer {} does not exist; the sensor profile has {} layers.", detections.layer[i], layers.size()),
+          "Use the profile of the sensor that measured this.");
+    }
+    const auto& list = layer->second;
+    auto right = std::lower_bound(list.begin(), list.end(), detections.azimuth_rad[i],
+                                  [&](std::uint32_t b, double azimuth) { return beams[b].azimuth_rad < azimuth; });
+    std::uint32_t best = right == list.end() ? list.back() : *right;
+    if (right != list.begin() && distance(*(right - 1), i) < distance(best, i)) best = *(right - 1);
+    if (distance(best, i) > kFarthest_rad) {
+      throw core::InputError({.file = file, .line = static_cast<int>(i) + 2},
+                             fmt::format("no beam of layer {} points near azimuth {:.4f} rad.", detections.layer[i],
+                                         detections.azimuth_rad[i]),
+                             "Use the profile of the sensor that measured this.");
+    }
+    result[i] = best;
+  }
+  return result;
+}
+
+}  // namespace gap

@@ -1,0 +1,347 @@
+#include "gap/report/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+#include "core/text.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kSure = 0.6;    // below, confidenceInWords says "not sure"
+constexpr double kLikely = 0.4;  // below, "hardly more than a guess"
+
+/// "a", "a and b", "a, b and c".
+std::string listOf(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+/// A covariate in a sentence, "{0}" and "{1}" being the ends of the stratum; and where both are the same.
+struct StratumWording {
+  const char* covariate;
+  const char* interval;
+  const char* point;
+};
+constexpr std::array<StratumWording, 7> kStrata = {{
+    {"range_m", "at ranges from {0} to {1} m", "at the range {0} m"},
+    {"azimuth_deg", "at azimuths from {0}° to {1}°", "at the azimuth {0}°"},
+    {"elevation_deg", "at elevations from {0}° to {1}°", "at the elevation {0}°"},
+    {"incidence_deg", "where beams meet the surface {0}° to {1}° from its normal",
+     "where beams meet the surface {0}° from its normal"},
+    {"time_s", "from {0} to {1} s after the start of the frame", "{0} s after the start of the frame"},
+    {"epw_m", "where the echo pulse width is {0} to {1} m", "where the echo pulse width is {0} m"},
+    {"intensity", "where the intensity is {0} to {1} nW", "where the intensity is {0} nW"},
+}};
+
+std::string lowerFirst(std::string text) {
+  // "GPS offset" stays as it is, and so do names of people; "Offset" does not.
+  for (const char* name : {"Oren", "Gauss", "Lambert", "Fresnel", "Phong"}) {
+    if (text.rfind(name, 0) == 0) return text;
+  }
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])))
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::vector<std::string> partsOf(const std::string& pointer) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 1; at <= pointer.size();) {
+    const std::size_t slash = std::min(pointer.find('/', at), pointer.size());
+    parts.push_back(pointer.substr(at, slash - at));
+    at = slash + 1;
+  }
+  return parts;
+}
+
+std::string effectTitle(const std::string& name) {
+  const model::EffectEntry* entry = model::findEffect(name);
+  return entry ? lowerFirst(entry->info.title) : name;
+}
+
+std::string meaningOf(const std::string& effect, const std::string& parameter) {
+  const model::EffectEntry* entry = model::findEffect(effect);
+  if (!entry) return parameter;
+  for (const model::ParameterInfo& info : entry->info.parameters) {
+    if (info.name == parameter) return lowerFirst(info.meaning.substr(0, info.meaning.find_first_of(";:")));
+  }
+  return parameter;
+}
+
+std::string sceneTitle(const Diagnosis& diagnosis, const std::vector<std::string>& parts) {
+  static const std::array<const char*, 3> kAxes = {"x (forward)", "y (to the left)", "z (up)"};
+  static const std::array<const char*, 3> kAngles = {"yaw", "pitch", "roll"};
+  std::size_t index = 0, axis = 0;
+  for (const char c : parts[1]) index = 10 * index + static_cast<std::size_t>(c - '0');
+  if (!parts[4].empty()) axis = std::min<std::size_t>(2, static_cast<std::size_t>(parts[4][0] - '0'));
+  const auto& ids = diagnosis.background.objects;
+  const std::string object = index < ids.size() && !ids[index].empty() ? ids[index] : "object " + parts[1];
+  if (parts[3] == "position_m") return fmt::format("recorded position of “{}”, {}", object, kAxes[axis]);
+  return fmt::format("recorded {} angle of “{}”", kAngles[axis], object);
+}
+
+std::string pointerTitle(const Diagnosis& diagnosis, const std::string& pointer) {
+  static const std::map<std::string, std::string> kKnown = {
+      {"peak_power_w", "peak power of the emitter"},  {"pulse_fwhm_ns", "pulse length of the emitter"},
+      {"noise_w", "noise of the receiver"},           {"threshold_w", "detection threshold of the receiver"},
+      {"range_noise_m", "noise of the range"},        {"epw_noise_m", "noise of the echo pulse width"},
+      {"horizontal", "horizontal width of the beam"}, {"vertical", "vertical width of the beam"},
+      {"saturation_w", "saturation of the receiver"}};
+  const std::vector<std::string> parts = partsOf(pointer);
+  if (parts.size() == 3 && parts[0] == "materials") return fmt::format("{} of the material “{}”", parts[2], parts[1]);
+  if (parts.size() == 3 && parts[0] == "effects")
+    return fmt::format("{} of the effect “{}”", meaningOf(parts[1], parts[2]), effectTitle(parts[1]));
+  if (parts.size() == 5 && parts[0] == "scene" && parts[2] == "pose") return sceneTitle(diagnosis, parts);
+  const auto known = kKnown.find(parts.empty() ? "" : parts.back());
+  if (known == kKnown.end()) return pointer;
+  return parts[0] == "sensors" ? fmt::format("{} (sensor {})", known->second, parts[1]) : known->second;
+}
+
+/// "range-walk (sensor a only)"; the cause's name, or what it is called.
+std::string ofItsSensors(const Diagnosis& diagnosis, const std::string& name, const std::string& text) {
+  const auto cause =
+      std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(), [&](const Cause& c) { return c.name == name; });
+  const bool partial = cause != diagnosis.causes.end() && !cause->sensors.empty();
+  return partial ? fmt::format("{} (sensor {} only)", text, listOf(cause->sensors)) : text;
+}
+
+std::string namesOf(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const std::string& name : diagnosis.verdict.names) names.push_back(ofItsSensors(diagnosis, name, name));
+  return listOf(names);
+}
+
+std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>& names) {
+  std::vector<std::string> titles;
+  for (const std::string& name : names) titles.push_back(ofItsSensors(diagnosis, name, causeTitle(diagnosis, name)));
+  return listOf(titles);
+}
+
+/// Their names; of many the first few.
+std::string setupsText(const std::vector<std::string>& names) {
+  constexpr std::size_t kFew = 6;
+  if (names.size() <= kFew) return core::join(names);
+  return fmt::format("{} and {} more", core::join(std::span(names).first(kFew)), names.size() - kFew);
+}
+
+}  // namespace
+
+std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }
+
+std::string measurandTitle(const std::string& measurand) {
+  if (measurand == "epw") return "echo pulse width";
+  if (measurand == "existence") return "existence of echoes";
+  return measurand;
+}
+
+std::string componentTitle(const std::string& measurand, const std::string& component) {
+  if (component == "missing") return "missing echoes";
+  if (component == "extra") return "extra echoes";
+  return fmt::format("{} of the {}", component == "bias" ? "mean" : component, measurandTitle(measurand));
+}
+
+std::string causeTitle(const Diagnosis& diagnosis, const std::string& name) {
+  return name.rfind('/', 0) == 0 ? pointerTitle(diagnosis, name) : effectTitle(name);
+}
+
+std::string parameterTitle(const Cause& cause, const FittedParameter& parameter) {
+  if (cause.kind == CauseKind::kEffect) return meaningOf(cause.name, parameter.name);
+  return cause.kind == CauseKind::kReference ? "true minus recorded" : "value";
+}
+
+std::string unitOf(const FittedParameter& parameter) { return parameter.unit == "deg" ? "°" : parameter.unit; }
+
+std::string withUnit(double value, const std::string& unit) {
+  if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return core::significant(1e9 * value) + " nW";
+  const std::string number = core::significant(value);
+  if (unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
+  return number + (unit.empty() || unit == "°" ? "" : " ") + unit;
+}
+
+std::string intervalText(const Interval& interval, const std::string& unit) {
+  if (unit == "W" && std::max(std::abs(interval.low), std::abs(interval.high)) < 1e-3)
+    return fmt::format("{} to {} nW", core::significant(1e9 * interval.low), core::significant(1e9 * interval.high));
+  return fmt::format("{} to {}", core::significant(interval.low), withUnit(interval.high, unit));
+}
+
+std::string confidenceInWords(double confidence) {
+  if (confidence >= 0.95) return "very sure";
+  if (confidence >= 0.8) return "quite sure";
+  if (confidence >= kSure) return "fairly sure";
+  if (confidence >= kLikely) return "not sure";
+  return "hardly more than a guess";
+}
+
+std::string certaintyInWords(double p_value) {
+  if (p_value < 1e-6) return "no, certainly";
+  if (p_value < 1e-3) return "no";
+  if (p_value < 0.05) return "hardly";
+  return "possibly";
+}
+
+std::string stratumText(const WhereRow& row) {
+  if (row.numeric) {
+    const std::string low = core::significant(row.low), high = core::significant(row.high);
+    for (const StratumWording& wording : kStrata) {
+      if (row.covariate == wording.covariate)
+        return fmt::format(fmt::runtime(low == high ? wording.point : wording.interval), low, high);
+    }
+    return low == high ? fmt::format("where {} is {}", row.covariate, low)
+                       : fmt::format("where {} is {} to {}", row.covariate, low, high);
+  }
+  const std::string names = setupsText(row.names);
+  if (row.covariate == "object") return fmt::format("on {}", names);
+  if (row.covariate == "material") return fmt::format("on the material {}", names);
+  if (row.covariate == "setup") return fmt::format("in the set-up{} {}", row.names.size() == 1 ? "" : "s", names);
+  return fmt::format("where {} is {}", row.covariate, names);
+}
+
+namespace {
+
+std::string findingSentence(const Diagnosis& diagnosis) {
+  const Verdict& verdict = diagnosis.verdict;
+  constexpr double kHardly = 0.005;  // would be said as 0 %
+  const std::string shrink =
+      diagnosis.shrink.fraction >= kHardly
+          ? fmt::format("the gap on held-out samples shrinks by {}", percent(diagnosis.shrink.fraction))
+          : std::string("single beams agree on held-out samples, though the pooled gap hardly shrinks");
+  const std::string sure = fmt::format("(confidence {})", percent(verdict.confidence));
+  std::string ties;
+  if (!verdict.indistinguishable_from.empty()) {
+    ties =
+        fmt::format(" These data cannot tell {} from {}.", whatIsTied(verdict), listOf(verdict.indistinguishable_from));
+  }
+  switch (verdict.kind) {
+    case VerdictKind::kNone:
+      return "Measurement and simulation do not differ by more than their uncertainty " + sure + ".";
+    case VerdictKind::kEffect:
+      return fmt::format(
+          "The model lacks {}; with {}{} {} {}.{}", namesOf(diagnosis), verdict.names.size() == 1 ? "it" : "them",
+          verdict.beside.empty() ? "" : ", and " + listOf(verdict.beside) + " corrected,", shrink, sure, ties);
+    case VerdictKind::kParameter:
+      return fmt::format("The parameter {} has a wrong value; with the fitted one {} {}.{}", listOf(verdict.names),
+                         shrink, sure, ties);
+    case VerdictKind::kReference:
+      return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
+                         ties);
+    case VerdictKind::kUnknown:
+      if (diagnosis.verdict.frames_move) {
+        return fmt::format(
+            "They differ from frame to frame {}: all detections of a frame deviate together, which no cause that was "
+            "tried does.",
+            sure);
+      }
+      if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
+      if (diagnosis.causes.front().shrink.fraction <= 0.0) {
+        return fmt::format(
+            "They differ, and nothing in the library explains it {}; with the nearest, {}, the gap on "
+            "held-out samples does not shrink.",
+            sure, diagnosis.causes.front().name);
+      }
+      return fmt::format("They differ, and nothing in the library explains it {}; the nearest, {}, explains {}.", sure,
+                         diagnosis.causes.front().name, percent(std::max(0.0, diagnosis.causes.front().explained)));
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string verdictSentence(const Diagnosis& diagnosis) {
+  const std::string finding = findingSentence(diagnosis);
+  const auto& limits = diagnosis.verdict.limits;
+  return limits.empty() ? finding : fmt::format("{} The data tell little: {}.", finding, fmt::join(limits, "; "));
+}
+
+namespace {
+
+std::string plainAnswer(const Diagnosis& diagnosis) {
+  const std::string causes = titlesOf(diagnosis, diagnosis.verdict.names);
+  const bool several = diagnosis.verdict.names.size() > 1;
+  switch (diagnosis.verdict.kind) {
+    case VerdictKind::kNone:
+      return "Measurement and simulation agree as far as these data can tell: there is no gap to explain.";
+    case VerdictKind::kEffect:
+      return fmt::format("The measurement shows {} that the simulation lacks: {}.", several ? "effects" : "an effect",
+                         causes);
+    case VerdictKind::kParameter:
+      return fmt::format("No effect is missing, but {} in the simulation: {}.",
+                         several ? "numbers are wrong" : "a number is wrong", causes);
+    case VerdictKind::kReference:
+      return fmt::format("The sensor model is not to blame: the reference data are wrong, namely the {}.", causes);
+    case VerdictKind::kUnknown:
+      if (diagnosis.verdict.frames_move) {
+        return "Measurement and simulation differ from frame to frame: all detections of a frame deviate together, "
+               "which none of the causes that were tried does.";
+      }
+      return "Measurement and simulation differ, and none of the causes that were tried explains it.";
+  }
+  return "";
+}
+
+}  // namespace
+
+const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 1 ? "it" : "one of them"; }
+
+std::string answerSentence(const Diagnosis& diagnosis) {
+  const std::string answer = plainAnswer(diagnosis);
+  const bool claims = diagnosis.verdict.kind != VerdictKind::kUnknown && diagnosis.verdict.kind != VerdictKind::kNone;
+  if (!claims || diagnosis.verdict.confidence >= kSure) return answer;
+  const bool likely = diagnosis.verdict.confidence >= kLikely;
+  return (likely ? "Likely, but not sure: " : "Possibly, hardly more than a guess: ") + lowerFirst(answer);
+}
+
+std::string whereClause(const WhereRow& row) {
+  const std::string size = withUnit(std::abs(row.value), row.unit), where = stratumText(row);
+  if (row.component == "missing")
+    return fmt::format("The measurement lacks {} that the simulation has, {}", size, where);
+  if (row.component == "extra") return fmt::format("The measurement has {} that the simulation lacks, {}", size, where);
+  const std::string title = measurandTitle(row.measurand);
+  if (row.component == "scatter")
+    return fmt::format("The simulated {} scatters {} too {} {}", title, size, row.value > 0 ? "little" : "much", where);
+  const bool range = row.measurand == "range";
+  const char* wrong = row.value > 0 ? (range ? "too short" : "too small") : (range ? "too long" : "too large");
+  return fmt::format("The simulated {} is {} {} {}", title, size, wrong, where);
+}
+
+std::string whereSentence(const WhereRow& row) {
+  return fmt::format("{}: {} of this gap, in {} of the data.", whereClause(row), percent(row.share), percent(row.size));
+}
+
+std::string formulaOf(const Law& law) {
+  std::string formula = core::significant(law.constant);
+  for (const Law::Term& term : law.terms) {
+    // "tan² x" of incidence_deg: "·tan²(incidence_deg)"; "1/x": "/incidence_deg".
+    const bool named_function = term.function.find(' ') != std::string::npos;
+    std::string of_x = term.function == "1/x" ? "/x" : "·" + term.function;
+    std::erase(of_x, ' ');
+    of_x.replace(of_x.find('x'), 1, named_function ? "(" + term.covariate + ")" : term.covariate);
+    formula += fmt::format(" {} {}{}", term.coefficient < 0.0 ? "−" : "+",
+                           core::significant(std::abs(term.coefficient)), of_x);
+  }
+  return formula;
+}
+
+std::string frameModeSentence(const FrameMode& mode) {
+  return fmt::format(
+      "All detections of a frame deviate together, in {} by {:.3g} {} (standard deviation over the frames): the frames "
+      "of a sample do not repeat each other. No cause that was tried does that; look for what moves, drifts or "
+      "alternates between frames.",
+      measurandTitle(nameOf(mode.channel)), mode.stddev, mode.channel == kIntensity ? "nW" : "m");
+}
+
+std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample) {
+  std::vector<std::string> settings;
+  for (const auto& [name, value] : next.parameters)
+    settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
+  return fmt::format("Repeat with {}{}: there {} and {} differ most compared to the noise.",
+                     settings.empty() ? "the setting of sample " + nearest_sample : core::join(settings),
+                     settings.empty() ? "" : " (as in sample " + nearest_sample + ")", next.separates[0],
+                     next.separates[1]);
+}
+
+}  // namespace gap

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+
+#include "gap/diagnosis.h"
+#include "gap/which/frame_mode.h"
+
+namespace gap {
+
+/// One sentence for a person: what was found, how sure, how far the gap shrinks.
+[[nodiscard]] std::string verdictSentence(const Diagnosis& diagnosis);
+
+/// The same for a reader who knows neither the names of the library nor those of the files, and without numbers.
+[[nodiscard]] std::string answerSentence(const Diagnosis& diagnosis);
+
+/// "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m: 62 % of this gap, in 40 % of the
+/// data."
+[[nodiscard]] std::string whereSentence(const WhereRow& row);
+
+/// The same without the shares: "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m".
+[[nodiscard]] std::string whereClause(const WhereRow& row);
+
+/// "at ranges from 28.1 to 69 m".
+[[nodiscard]] std::string stratumText(const WhereRow& row);
+
+/// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
+[[nodiscard]] std::string formulaOf(const Law& law);
+
+[[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
+[[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample);
+
+/// "echo pulse width" for "epw".
+[[nodiscard]] std::string measurandTitle(const std::string& measurand);
+/// "mean of the echo pulse width", "missing echoes".
+[[nodiscard]] std::string componentTitle(const std::string& measurand, const std::string& component);
+
+/// What a cause is called: "attenuation by the atmosphere", "reflectivity of the material board", "recorded position of
+/// target, x (forward)".
+[[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
+/// What a fitted number means: "meteorological visibility".
+[[nodiscard]] std::string parameterTitle(const Cause& cause, const FittedParameter& parameter);
+/// Its unit as readers know it: "°" for "deg".
+[[nodiscard]] std::string unitOf(const FittedParameter& parameter);
+
+/// Of what a verdict names, what it cannot tell from other causes: "it", or "one of them" of two.
+[[nodiscard]] const char* whatIsTied(const Verdict& verdict);
+
+/// A number to three digits with its unit; small powers in nW, what exists in echoes per shot.
+[[nodiscard]] std::string withUnit(double value, const std::string& unit);
+/// "0.42 to 0.47 m".
+[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
+
+/// "very sure" … "hardly more than a guess".
+[[nodiscard]] std::string confidenceInWords(double confidence);
+/// Whether a deviation may be chance: "no, certainly", "no", "hardly", "possibly".
+[[nodiscard]] std::string certaintyInWords(double p_value);
+
+/// "62 %".
+[[nodiscard]] std::string percent(double fraction);
+
+}  // namespace gap

@@ -1,0 +1,82 @@
+#include "gap/where/covariates.h"
+
+#include <cmath>
+#include <set>
+
+#include "core/physics.h"
+
+namespace gap {
+
+std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& expected) {
+  const auto cell = [&replay](const CellPlace& place) -> const Cell& {
+    return replay.samples()[place.sample].layout->cells()[place.cell];
+  };
+  const auto beam = [&replay, cell](const CellPlace& place) -> const model::Beam& {
+    return replay.samples()[place.sample].beams[cell(place).beam];
+  };
+  const auto mean = [&replay, &expected](Channel channel) {
+    return [&replay, &expected, channel](const CellPlace& place) {
+      const CellStatistics& x = expected[place.sample][place.cell];
+      const CellStatistics& m = replay.samples()[place.sample].statistics[place.cell];
+      return x.count > 0.0 ? x.mean(channel) : m.count > 0.0 ? m.mean(channel) : NAN;
+    };
+  };
+  std::vector<Covariate> list;
+  const bool pooled = replay.samples().front().layout->pooled();
+  if (!pooled) {
+    list.push_back(
+        {"range_m", true, [cell](const CellPlace& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
+    list.push_back(
+        {"azimuth_deg", true, [beam](const CellPlace& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
+    list.push_back({"elevation_deg", true,
+                    [beam](const CellPlace& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
+    list.push_back(
+        {"incidence_deg", true,
+         [cell](const CellPlace& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; },
+         nullptr});
+    list.push_back({"time_s", true, [beam](const CellPlace& r) { return beam(r).time_s; }, nullptr});
+    const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
+    std::vector<std::string> objects, materials;
+    for (const model::SceneObject& object : scene.objects) {
+      objects.push_back(object.id);
+      materials.push_back(scene.materials[object.material].name);
+    }
+    const auto named = [cell](std::vector<std::string> names) {
+      return [cell, names](const CellPlace& r) {
+        return cell(r).object < 0 ? std::string("(nothing)") : names[static_cast<std::size_t>(cell(r).object)];
+      };
+    };
+    list.push_back({"object", false, nullptr, named(objects)});
+    list.push_back({"material", false, nullptr, named(materials)});
+  }
+  for (const Channel channel : replay.channels()) {
+    if (channel == kEpw) list.push_back({"epw_m", true, mean(kEpw), nullptr});
+    if (channel == kIntensity) list.push_back({"intensity", true, mean(kIntensity), nullptr});
+  }
+  if (!replay.experiment().sensors.empty()) {
+    list.push_back({"sensor", false, nullptr,
+                    [&replay](const CellPlace& r) { return replay.samples()[r.sample].sample->sensor; }});
+  }
+  std::set<std::string> setups, parameters;
+  for (const ReplaySample& sample : replay.samples()) {
+    setups.insert(sample.sample->setup);
+    for (const auto& [name, value] : sample.sample->parameters) parameters.insert(name);
+  }
+  if (setups.size() > 1) {
+    list.push_back(
+        {"setup", false, nullptr, [&replay](const CellPlace& r) { return replay.samples()[r.sample].sample->setup; }});
+  }
+  for (const std::string& name : parameters) {
+    if (name == "range_m" && !pooled) continue;  // the covariate of that name is finer
+    list.push_back({name, true,
+                    [&replay, name](const CellPlace& r) {
+                      const auto& values = replay.samples()[r.sample].sample->parameters;
+                      const auto found = values.find(name);
+                      return found == values.end() ? NAN : found->second;
+                    },
+                    nullptr});
+  }
+  return list;
+}
+
+}  // namespace gap

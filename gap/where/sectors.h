@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "gap/where/where.h"
+
+namespace gap {
+
+/// The sectors that explain residuals best, best first: of each table the one that leaves least variance if the
+/// residuals, in their errors, have one mean inside and another outside (Fisher 1958, J. Am. Stat. Assoc. 53, 789, of
+/// two groups, by looking at all of them), and deviate more inside. Beams at edges do not take part.
+[[nodiscard]] std::vector<Sector> sectorsIn(const Replay& replay, const std::vector<ResidualTable>& tables);
+
+}  // namespace gap

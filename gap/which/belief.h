@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gap/which/decision.h"
+
+namespace gap {
+
+/// Belief that causes which account for so much of the gap (Judge::accountedFor) are among themselves the right one:
+/// less where the gap is small.
+[[nodiscard]] double beliefIn(const Yardstick& yardstick, double accounted_for);
+
+/// Share of the belief in a pair that one of its members has, or one that may stand in a member's place.
+[[nodiscard]] double shareOf(const Decision& decision, const std::string& cause);
+
+/// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
+/// would be by chance, exp(-z²/2).
+[[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, double belief);
+
+}  // namespace gap

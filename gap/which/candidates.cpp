@@ -1,0 +1,295 @@
+#include "gap/which/candidates.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/parallel.h"
+#include "gap/causes/starts.h"
+#include "gap/far/how_far.h"
+#include "gap/replay/statistics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr int kFitFrames = 5;
+constexpr int kRefineFrames = 16;
+constexpr int kJudgeFrames = 16;
+constexpr int kNullRuns = 20;              // their spread is known to a sixth
+constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
+constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
+constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams
+constexpr std::size_t kPolished = 3;  // of them fitted with more frames
+constexpr std::size_t kPolishedPairs = 2;
+constexpr std::size_t kScoutedSamples = 4;
+constexpr std::size_t kScoutBeams = 180;   // a sample: enough to find about where a reference is
+constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
+constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
+constexpr double kWorthMore = 0.05;  // of the discrepancy: what gained less is tried in no further form that takes long
+constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement helps
+
+Split withRefined(Split split) {
+  split.refined = split.fitted;
+  split.refined.most_frames = kRefineFrames;
+  return split;
+}
+
+/// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
+  return hypothesis.per_setup ? splitByBeams(judge.replay, judge.split.fitted.seed).fitted : judge.split.fitted;
+}
+
+/// Which hypotheses a coarse search leaves in the race: the best ones, and all that are not far behind.
+std::vector<bool> stillPromising(const std::vector<Scouted>& scouted) {
+  std::vector<double> gains;
+  for (const Scouted& one : scouted) gains.push_back(one.gain);
+  std::sort(gains.begin(), gains.end(), std::greater<>());
+  const double of_last = gains.size() > kAlwaysFitted ? gains[kAlwaysFitted - 1] : -1.0;
+  std::vector<bool> promising;
+  for (const Scouted& one : scouted) promising.push_back(one.gain >= of_last || one.gain >= kFitShare * gains.front());
+  return promising;
+}
+
+/// Whether another form of the same cause gained enough to try one that takes long.
+bool worthMore(const Hypothesis& costly, const std::vector<Hypothesis>& tried, const std::vector<Scouted>& scouted) {
+  for (std::size_t h = 0; h < tried.size(); ++h) {
+    const bool same = tried[h].name == costly.name && tried[h].sensors == costly.sensors;
+    if (same && scouted[h].gain >= kWorthMore) return true;
+  }
+  return false;
+}
+
+/// Of the starts that the residual map suggests the nearest one, if it is nearer than that; else empty.
+std::vector<double> nearestStart(const Replay& replay, const Hypothesis& hypothesis, const Evidence& few, double least,
+                                 const WhereResult& where, const core::Progress& progress) {
+  std::vector<double> nearest;
+  for (auto& start : startsFrom(replay, hypothesis, where)) {
+    core::stopIfCancelled(progress);
+    const double distance = discrepancyOf(replay, worldOf(replay, hypothesis, start), few);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = std::move(start);
+  }
+  return nearest;
+}
+
+/// The better of two fits: from where the coarse search ended, and from what the residual map suggests. A sector as
+/// wide as the view may come as near with few samples, and no small step leads from there to where it ends.
+std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, const std::vector<double>& scouted,
+                             const WhereResult& where, const core::Progress& progress) {
+  const Evidence evidence = fittedFor(judge, hypothesis);
+  const auto fit = [&](const std::vector<double>& start) {
+    return fitFrom(judge.replay, hypothesis, evidence, start, progress);
+  };
+  const auto distance = [&](const std::vector<double>& values) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, values), evidence);
+  };
+  std::vector<double> fitted = fit(scouted);
+  const Evidence few = spreadOver(evidence, kScoutedSamples, evidence.most_frames);
+  const std::vector<double> suggested =
+      nearestStart(judge.replay, hypothesis, few, std::numeric_limits<double>::infinity(), where, progress);
+  if (suggested.empty() || suggested == scouted) return fitted;
+  std::vector<double> other = fit(suggested);
+  return distance(other) < distance(fitted) ? other : fitted;
+}
+
+/// The values with every number that does less than it costs put where it does nothing: an effect of several mechanisms
+/// says no more than it must.
+std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, std::vector<double> values) {
+  if (values.size() < 2 || hypothesis.per_setup) return values;
+  const auto distance = [&](const std::vector<double>& at) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, at), judge.split.refined);
+  };
+  double known = distance(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const FreeParameter& p = hypothesis.parameters[i];
+    if (p.logarithmic || values[i] == p.absent_at || p.absent_at < p.low || p.absent_at > p.high) continue;
+    std::vector<double> without = values;
+    without[i] = p.absent_at;
+    const double left = distance(without);
+    if (left > known + Judge::kNatsPerNumber) continue;
+    values = std::move(without);
+    known = left;
+  }
+  return values;
+}
+
+/// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
+/// sector may have ended between two of the few).
+std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
+                              const core::Progress& progress) {
+  const Evidence& evidence = judge.split.refined;
+  const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
+  };
+  std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
+  if (!candidate.hypothesis.members.empty()) return refined;
+  const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
+  std::vector<double> suggested =
+      nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
+  if (!suggested.empty()) {
+    suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
+    if (distance(suggested, evidence) < distance(refined, evidence)) refined = std::move(suggested);
+  }
+  return simplest(judge, candidate.hypothesis, std::move(refined));
+}
+
+}  // namespace
+
+void Judge::hear(Candidate& candidate) const {
+  const World world = worldOf(replay, candidate.hypothesis, candidate.values);
+  candidate.discrepancy = discrepancyOf(replay, world, split.held_out);
+  candidate.explained = yardstick.explained(
+      candidate.discrepancy, discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
+  candidate.merit = meritOf(candidate);
+}
+
+double Judge::meritOf(const Candidate& candidate) const {
+  const double as_it_is = (yardstick.baseline - candidate.discrepancy) / yardstick.whole();
+  const double price = std::max(kPricePerNumber, kNatsPerNumber / yardstick.whole());
+  return 0.5 * (candidate.explained + as_it_is) - price * static_cast<double>(candidate.hypothesis.parameters.size()) -
+         weight_of_total * std::min(kMostLeft, candidate.total_left);
+}
+
+double Judge::accountedFor(const Candidate& candidate) const {
+  const double of_total = 1.0 - std::clamp(candidate.total_left, 0.0, 1.0);
+  return (1.0 - weight_of_total) * std::min(1.0, candidate.explained) + weight_of_total * of_total;
+}
+
+void sortByMerit(std::vector<Candidate>& candidates) { std::stable_sort(candidates.begin(), candidates.end(), better); }
+
+std::vector<Candidate> membersOf(const Candidate& candidate) {
+  if (candidate.hypothesis.members.empty()) return {candidate};
+  std::vector<Candidate> members;
+  auto values = candidate.values.begin();
+  for (const Hypothesis& hypothesis : candidate.hypothesis.members) {
+    const auto end = values + static_cast<std::ptrdiff_t>(hypothesis.parameters.size());
+    members.push_back({hypothesis, {values, end}, candidate.explained, candidate.discrepancy});
+    values = end;
+  }
+  return members;
+}
+
+double Yardstick::whole() const { return std::max({1e-9, perfect_spread, baseline - perfect}); }
+
+double Yardstick::explained(double discrepancy, double self) const {
+  // A world may not buy its share with noise: at least half of the way to a quiet right model counts as the whole way.
+  const double whole_way = std::max(baseline - std::max(self, perfect), 0.5 * whole());
+  return (baseline - discrepancy) / whole_way;
+}
+
+double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
+
+double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }
+
+Split splitOf(const Replay& replay, std::uint64_t seed) {
+  Split split;
+  split.fitted = {.samples = {}, .part = {}, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {.samples = {}, .part = {}, .most_frames = kJudgeFrames, .seed = seed};
+  const auto& samples = replay.samples();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
+  }
+  if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return withRefined(split);
+  if (samples.size() < 3) return splitByBeams(replay, seed);
+  split.held_out.samples.clear();
+  split.fitted.samples.clear();
+  for (std::size_t s = 0; s < samples.size(); ++s) (s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
+  return withRefined(split);
+}
+
+Split splitByBeams(const Replay& replay, std::uint64_t seed) {
+  Split split;
+  const bool pooled = replay.samples().front().layout->pooled();
+  split.fitted = {.samples = {}, .part = {pooled ? Half::kAll : Half::kEven}, .most_frames = kFitFrames, .seed = seed};
+  split.held_out = {
+      .samples = {}, .part = {pooled ? Half::kAll : Half::kOdd}, .most_frames = kJudgeFrames, .seed = seed};
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    split.fitted.samples.push_back(s);
+    split.held_out.samples.push_back(s);
+  }
+  split.weak = true;
+  return withRefined(split);
+}
+
+Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
+  Yardstick yardstick;
+  const World& world = replay.baseline();
+  yardstick.baseline = discrepancyOf(replay, world, held_out);
+  std::vector<double> runs(kNullRuns);
+  core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
+    runs[begin] = discrepancyIn(replay, world, world, held_out, held_out.seed + 1000 + begin);
+  });
+  const Distribution perfect(runs);
+  yardstick.perfect = perfect.mean;
+  yardstick.perfect_spread = perfect.stddev;
+  return yardstick;
+}
+
+std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
+                            core::Progress& progress) {
+  std::atomic<std::size_t> done = 0;
+  const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
+    progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
+  };
+  // Every offset of a reference traces all rays anew, and the surfaces that it moves are in many beams.
+  const Replay few = judge.replay.thinner(kScoutBeams);
+  const auto scoutAll = [&](const std::vector<Hypothesis>& some) {
+    std::vector<Scouted> scouted(some.size());
+    core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
+      const Replay& replay = some[h].kind == CauseKind::kReference ? few : judge.replay;
+      scouted[h] =
+          scout(replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress);
+      report("tried ", some[h]);
+    });
+    return scouted;
+  };
+  std::vector<Hypothesis> tried, costly;
+  for (const Hypothesis& hypothesis : hypotheses) (hypothesis.costly ? costly : tried).push_back(hypothesis);
+  std::vector<Scouted> scouted = scoutAll(tried);
+  std::erase_if(costly, [&](const Hypothesis& hypothesis) { return !worthMore(hypothesis, tried, scouted); });
+  for (Scouted& one : scoutAll(costly)) scouted.push_back(std::move(one));
+  tried.insert(tried.end(), costly.begin(), costly.end());
+
+  const std::vector<bool> promising = stillPromising(scouted);
+  std::vector<Candidate> candidates(tried.size());
+  core::parallelFor(tried.size(), 1, [&](std::size_t h, std::size_t) {
+    Candidate& candidate = candidates[h];
+    candidate.hypothesis = tried[h];
+    candidate.values = scouted[h].values;
+    if (promising[h]) candidate.values = fittedOf(judge, tried[h], scouted[h].values, where, progress);
+    judge.hear(candidate);
+    report("fitted ", tried[h]);
+  });
+  sortByMerit(candidates);
+  return candidates;
+}
+
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
+            const core::Progress& progress) {
+  if (candidates.empty()) return;
+  const double enough = candidates.front().merit - kNearlyAsGood;
+  std::size_t leaders = 0;
+  while (leaders < std::min(kLeaders, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
+  const auto behind = candidates.begin() + static_cast<std::ptrdiff_t>(leaders);
+  const auto lookAt = [&](std::size_t count, bool refined) {
+    core::parallelFor(count, 1, [&](std::size_t c, std::size_t) {
+      Candidate& candidate = candidates[c];
+      if (refined) candidate.values = refinedOf(judge, candidate, where, progress);
+      candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
+      judge.hear(candidate);
+    });
+    std::stable_sort(candidates.begin(), behind, better);
+  };
+  lookAt(leaders, false);
+  lookAt(std::min(leaders, candidates.front().hypothesis.members.empty() ? kPolished : kPolishedPairs), true);
+  // What was not looked at closely is no better than what was.
+  const double of_last = (behind - 1)->merit;
+  std::for_each(behind, candidates.end(),
+                [&](Candidate& candidate) { candidate.merit = std::min(candidate.merit, of_last); });
+}
+
+}  // namespace gap

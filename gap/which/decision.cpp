@@ -1,0 +1,415 @@
+#include "gap/which/decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+
+#include "gap/which/cross_fit.h"
+#include "gap/which/pairs.h"
+#include "gap/which/significance.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kAccountsFor = 0.7;     // of the gap: what accounts for less is as likely wrong as right
+constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
+constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
+constexpr double kMaterialCells = 0.08;  // or of the discrepancy
+constexpr double kPooledRest = 0.2;      // of the total gap: the cells may not show it, as they do not show rare echoes
+constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
+constexpr double kLeastGain = 0.05;      // in that,
+constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
+constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
+constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
+constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
+constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
+constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
+constexpr double kLeastShrink = 0.05;    // of the total gap: of causes that move rays: less may be how edges cut beams
+constexpr std::size_t kLookedAt = 8;     // of best merit, and as many that gain most: they may prove themselves
+constexpr double kWorthALook = 1.0;  // standard deviations of the gain with few beams: with all it takes four of them
+constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
+
+VerdictKind kindOf(CauseKind kind) {
+  switch (kind) {
+    case CauseKind::kEffect:
+      return VerdictKind::kEffect;
+    case CauseKind::kParameter:
+      return VerdictKind::kParameter;
+    case CauseKind::kReference:
+      return VerdictKind::kReference;
+  }
+  return VerdictKind::kUnknown;
+}
+
+/// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
+/// beyond what a right model keeps.
+struct LeftOver {
+  double discrepancy = 1.0;
+  double total = 1.0;
+};
+
+LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
+
+/// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
+/// nothing: every single cause for which some pair has better values is judged anew with these.
+void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+               const WhereResult& where, std::vector<Candidate>& singles, const core::Progress& progress) {
+  std::map<Form, std::vector<Candidate>> members;
+  for (const Candidate& pair : pairs) {
+    for (Candidate& member : membersOf(pair)) members[formOf(member.hypothesis)].push_back(std::move(member));
+  }
+  std::vector<Candidate> improved;
+  for (const Candidate& single : singles) {
+    const auto found = members.find(formOf(single.hypothesis));
+    if (found == members.end()) continue;
+    Candidate best = single;
+    quick.hear(best);
+    for (Candidate& member : found->second) {
+      quick.hear(member);
+      if (better(member, best)) best = std::move(member);
+    }
+    if (best.values != single.values) improved.push_back(std::move(best));
+  }
+  sortByMerit(improved);
+  polish(exact, gaps, improved, where, progress);
+  for (Candidate& candidate : improved) {
+    const auto single = std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) {
+      return formOf(c.hypothesis) == formOf(candidate.hypothesis);
+    });
+    if (better(candidate, *single)) *single = std::move(candidate);
+  }
+  sortByMerit(singles);
+}
+
+/// Noise of the share of the gap that a cause explains.
+double noiseOfShare(const Yardstick& yardstick) {
+  return std::sqrt(2.0) * yardstick.perfect_spread / yardstick.whole();
+}
+
+/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
+/// and that must be more than noise, or show where all data are pooled.
+bool roomForASecond(const Judge& judge, const Candidate& best) {
+  const LeftOver left = leftBy(best);
+  const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
+  return material && (left.total > kPooledRest || left.discrepancy > 3.0 * noiseOfShare(judge.yardstick) ||
+                      restOf(judge, best) > kNoRest);
+}
+
+/// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
+/// the total gap; and what helps the cells must not harm the total gap.
+bool earnsItsSecond(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
+  const auto halves = [](double before, double after) {
+    return after < kPairGain * before && before - after > kLeastGain;
+  };
+  const bool no_larger = of_pair.total < of_single.total + kMaterialRest;
+  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
+  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
+  const bool smaller = of_pair.total < kTotalGain * of_single.total;
+  return of_pair.discrepancy < of_single.discrepancy && (closer || accounts || smaller);
+}
+
+/// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
+/// leave.
+bool nothingElse(const Significance& significance, std::size_t causes) {
+  return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
+}
+
+/// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
+std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                   const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
+                                   core::Progress& progress) {
+  core::PartOfProgress part(progress, 0.1, 0.6);
+  std::vector<Candidate> singles = rank(quick, hypotheses, where, part);
+  polish(exact, gaps, singles, where, progress);
+  const auto no_error = [&](const Candidate& candidate) {
+    return asRecorded(exact.replay, candidate.hypothesis, candidate.values);
+  };
+  if (std::erase_if(singles, no_error) > 0) polish(exact, gaps, singles, where, progress);
+  return singles;
+}
+
+/// The steps of a counter that the values show are there beside whatever else is missing, and cell means hardly feel
+/// them: with the best cause they make a pair, unless cells agree less than with that cause alone.
+std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOutGaps& gaps, const WhereResult& where,
+                                               const std::vector<Candidate>& singles, const core::Progress& progress) {
+  const Candidate& best = singles.front();
+  const auto seen = std::find_if(singles.begin(), singles.end(),
+                                 [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
+  if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return std::nullopt;
+  std::vector<Candidate> pair{
+      {.hypothesis = together(best.hypothesis, seen->hypothesis), .values = joined(best.values, seen->values)}};
+  polish(judge, gaps, pair, where, progress);
+  const LeftOver alone = leftBy(best), both = leftBy(pair.front());
+  const bool harms = both.discrepancy > alone.discrepancy + kMaterialCells || both.total > kMostRestOfPair;
+  return harms ? std::nullopt : std::optional(pair.front());
+}
+
+bool provesItself(const Significance& significance, std::size_t causes) {
+  return significance.gain > 0.0 && nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
+}
+
+/// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
+/// that the values show by themselves.
+std::vector<Candidate> worthALook(const Judge& quick, const std::vector<Candidate>& singles) {
+  const std::vector<double> improvements = roughImprovements(quick, singles);
+  std::vector<double> sorted = improvements;
+  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  const double least = sorted[std::min(kLookedAt, sorted.size()) - 1];
+  std::vector<Candidate> chosen;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const bool leads = i < kLookedAt || improvements[i] >= least;
+    if ((leads && improvements[i] > kWorthALook) || singles[i].hypothesis.seen_in_values) chosen.push_back(singles[i]);
+  }
+  return chosen;
+}
+
+/// Looks at causes one after the other, at the other samples as well where it may be worth it.
+class Proofs {
+ public:
+  Proofs(const Judge& quick, const Judge& exact) : quick_(quick), exact_(exact), nulls_(nullRunsOf(exact)) {}
+
+  [[nodiscard]] Significance of(const Candidate& candidate, const core::Progress& progress) {
+    const Hypothesis& hypothesis = candidate.hypothesis;
+    const World world = worldOf(exact_.replay, hypothesis, candidate.values);
+    const NullRuns::Gains gains = nulls_.gainsOf(world);
+    const Significance held_out = significanceOf(gains, restOf(exact_, world, nulls_.runs()));
+    if (held_out.improvement_z <= kWorthCrossing || !CrossFit::applies(exact_, hypothesis)) return held_out;
+    if (!others_) others_.emplace(quick_, exact_, nulls_.runs());
+    return significanceOf(joined(gains, others_->gainsOf(hypothesis, progress)), held_out.rest_z);
+  }
+
+ private:
+  const Judge& quick_;
+  const Judge& exact_;
+  NullRuns nulls_;
+  std::optional<CrossFit> others_;  ///< the samples that were fitted, where any cause needs them
+};
+
+/// Whether a world sends any ray another way than the baseline does, or to another place.
+bool movesRays(const Replay& replay, const World& world) {
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return geometryKey(world, *sample.sample) != geometryKey(replay.baseline(), *sample.sample);
+  });
+}
+
+/// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
+void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                          Decision& decision, const core::Progress& progress) {
+  decision.kind = VerdictKind::kNone;
+  std::vector<Candidate> proven, others;
+  double p_value = 1.0;
+  const auto matters = [&](const Candidate& candidate) {
+    const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
+    const auto shrinks = [&] { return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink; };
+    if (candidate.hypothesis.seen_in_values) return shrinks();
+    if (candidate.explained <= 0.0) return false;  // other samples than those held out may gain
+    return movesRays(exact.replay, world) ? shrinks() : gaps.with(world, progress).shrink.interval.high > 0.0;
+  };
+  Proofs proofs(quick, exact);
+  for (Candidate& candidate : worthALook(quick, decision.singles)) {
+    core::stopIfCancelled(progress);
+    const Significance significance = proofs.of(candidate, progress);
+    const bool shown = candidate.hypothesis.seen_in_values || provesItself(significance, decision.singles.size());
+    exact.hear(candidate);
+    if (!shown || !matters(candidate)) {
+      others.push_back(std::move(candidate));
+      continue;
+    }
+    proven.push_back(std::move(candidate));
+    p_value = std::min(p_value, significance.p_value);
+  }
+  sortByMerit(proven);
+  polish(exact, gaps, proven, where, progress);
+  std::erase_if(proven, [&](const Candidate& candidate) { return !matters(candidate); });  // better values, less gain
+  if (proven.empty()) return;
+  decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
+  decision.singles = std::move(proven);
+  decision.name(decision.singles.front());
+  // What did not prove itself may still come as near: it only has more to pay, or its own share of luck.
+  sortByMerit(others);
+  std::move(others.begin(), others.end(), std::back_inserter(decision.singles));
+  decision.rivals = rivalsOfAll(quick, exact, decision.singles);
+}
+
+/// The share of the gap that a cause must account for to be named.
+double enoughToName(const Yardstick& yardstick) {
+  return std::max(kWeakGap, kAccountsFor - 2.0 * noiseOfShare(yardstick));
+}
+
+/// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
+/// the gap that is: if it halves what is left where all data are pooled, or if what that member leaves would itself be
+/// a gap beyond doubt.
+bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const double left_by_single = restOf(judge, single);
+  if (left_by_single < kNoRest || restOf(judge, pair) > kNoRest) return false;
+  const bool halves = pair.total_left < kPairGain * single.total_left;
+  const bool beyond_doubt = left_by_single > Yardstick::kClear_z && pair.total_left < single.total_left + kMaterialRest;
+  return halves || beyond_doubt;
+}
+
+/// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
+/// on as much as a small effect does, so nothing may be left with both. Otherwise the reference is to be corrected
+/// first.
+bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, const Candidate& pair) {
+  const auto& members = pair.hypothesis.members;
+  return best.hypothesis.kind == CauseKind::kReference &&
+         std::any_of(members.begin(), members.end(),
+                     [&](const Hypothesis& member) { return member.name == best.hypothesis.name; }) &&
+         restOf(judge, pair) > kNoRest;
+}
+
+/// Whether a pair is nearer to the data than its better member by more than luck: on held-out samples, or on all, where
+/// every number more that was fitted has its price.
+bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, const Candidate& best) {
+  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
+  const double least_on_all =
+      std::sqrt(kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * std::max(0.0, more));
+  return separation(exact, pair, best) >= kSecondProven ||
+         separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
+}
+
+/// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
+bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                Decision& decision, core::Progress& progress) {
+  if (!roomForASecond(exact, decision.singles.front())) return false;
+  core::PartOfProgress part(progress, 0.6, 0.85);
+  std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, part);
+  learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
+  polish(exact, gaps, pairs, where, progress);
+  if (pairs.empty()) return false;
+  leadByAll(quick, exact, pairs);
+  leadByEffects(quick, exact, pairs);
+  const Candidate &pair = pairs.front(), &best = decision.singles.front();
+  if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
+      !isNearer(quick, exact, pair, best) || explainsWhatAReferenceLeaves(exact, best, pair))
+    return false;
+  const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
+  if (!earned) return false;
+  decision.name(pair);
+  pairs.front() = *decision.winner;  // its members in the same order
+  decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));
+  return true;
+}
+
+/// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
+void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                 Decision& decision, const core::Progress& progress) {
+  leadByAll(quick, exact, decision.singles);
+  const Candidate& best = decision.singles.front();
+  const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
+                        exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
+                        (best.explained >= kWeakGap &&
+                         nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
+  if (!explains) return;
+  if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
+    decision.name(*pair);
+  } else {
+    decision.name(best);
+    decision.rivals = rivalsOf(quick, exact, decision.singles);
+  }
+}
+
+}  // namespace
+
+std::string toString(VerdictKind kind) {
+  switch (kind) {
+    case VerdictKind::kNone:
+      return "none";
+    case VerdictKind::kEffect:
+      return "effect";
+    case VerdictKind::kParameter:
+      return "parameter";
+    case VerdictKind::kReference:
+      return "reference";
+    case VerdictKind::kUnknown:
+      return "unknown";
+  }
+  return "";
+}
+
+bool holdsOnTotal(const Candidate& winner, double shrink) {
+  constexpr double kMostBesideNoise = 0.5;  // of the total gap
+  return shrink > 0.0 || winner.explained >= kNearlyAllCells || winner.total_left < kMostBesideNoise;
+}
+
+std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision) {
+  std::vector<std::pair<std::string, Candidate>> tied;
+  for (const Rival& rival : decision.rivals) {
+    const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), [&](const Candidate& candidate) {
+      const std::optional<Rival> other = exchangedIn(candidate, *decision.winner);
+      return other && other->name == rival.name && other->instead_of == rival.instead_of;
+    });
+    if (rival.tied() && pair != decision.pairs.end()) tied.emplace_back(rival.name, *pair);
+  }
+  return tied;
+}
+
+std::vector<std::string> Decision::ties() const {
+  std::vector<std::string> names;
+  for (const Rival& rival : rivals) {
+    if (rival.tied()) names.push_back(rival.name);
+  }
+  return names;
+}
+
+namespace {
+
+/// The same pair with the effect before what is beside it: who reads the first cause wants what is named.
+Candidate effectsFirst(const Candidate& candidate) {
+  const std::vector<Candidate> members = membersOf(candidate);
+  const auto isEffect = [](const Candidate& member) { return member.hypothesis.kind == CauseKind::kEffect; };
+  if (members.size() < 2 || isEffect(members[0]) || !isEffect(members[1])) return candidate;
+  Candidate turned = candidate;
+  turned.hypothesis = together(members[1].hypothesis, members[0].hypothesis);
+  turned.values = joined(members[1].values, members[0].values);
+  return turned;
+}
+
+}  // namespace
+
+void Decision::name(const Candidate& candidate) {
+  winner = effectsFirst(candidate);
+  kind = kindOf(membersOf(*winner).front().hypothesis.kind);
+}
+
+std::vector<std::string> Decision::names() const {
+  if (!winner) return {};
+  if (!pair()) return {winner->hypothesis.name};
+  std::vector<std::string> effects, all;
+  for (const Hypothesis& member : winner->hypothesis.members) {
+    all.push_back(member.name);
+    if (member.kind == CauseKind::kEffect) effects.push_back(member.name);
+  }
+  return effects.empty() ? all : effects;
+}
+
+std::vector<std::string> Decision::beside() const {
+  std::vector<std::string> others;
+  if (!pair()) return others;
+  const std::vector<std::string> named = names();
+  for (const Hypothesis& member : winner->hypothesis.members)
+    if (std::find(named.begin(), named.end(), member.name) == named.end()) others.push_back(member.name);
+  return others;
+}
+
+Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear, const WhereResult& where,
+                const std::vector<Hypothesis>& hypotheses, core::Progress& progress) {
+  Decision decision;
+  decision.singles = rankedAlone(quick, exact, gaps, where, hypotheses, progress);
+  if (decision.singles.empty()) {
+    decision.kind = clear ? VerdictKind::kUnknown : VerdictKind::kNone;
+    return decision;
+  }
+  if (!clear) {
+    nameWhatProvesItself(quick, exact, gaps, where, decision, progress);
+  } else if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
+    nameTheBest(quick, exact, gaps, where, decision, progress);
+  }
+  return decision;
+}
+
+}  // namespace gap

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gap/far/how_far.h"
+#include "gap/which/candidates.h"
+#include "gap/which/rivals.h"
+
+namespace gap {
+
+enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
+[[nodiscard]] std::string toString(VerdictKind kind);
+
+/// Of the gap, explained: such a cause need not shrink the pooled gap. Pooled data hide what evens out, and of what a
+/// gate leaves in one sample they make much.
+inline constexpr double kNearlyAllCells = 0.95;
+
+/// What the search for causes ended with.
+struct Decision {
+  VerdictKind kind = VerdictKind::kUnknown;
+  std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
+  std::vector<Candidate> singles;   ///< best first
+  std::vector<Candidate> pairs;     ///< those that were tried, best first
+  std::vector<Rival> rivals;        ///< that come near to a single winner, or to one of a pair that is named
+  bool frames_move = false;         ///< all detections of a frame deviate together, which speaks against every cause
+  double p_value = 1.0;             ///< of the gain that proved a cause where no gap is clear, times their number
+
+  /// Causes that the data cannot tell from a single winner, or from one of a pair.
+  [[nodiscard]] std::vector<std::string> ties() const;
+  [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
+  /// Makes a candidate the winner.
+  void name(const Candidate& candidate);
+  /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// The members of a pair that it does not name.
+  [[nodiscard]] std::vector<std::string> beside() const;
+};
+
+/// Fits and judges every hypothesis alone; in pairs as long as something material is left that the best one does not
+/// explain. `quick` sees some of the beams only and makes the choice of candidates; `exact` decides between them.
+/// `clear`: a gap shows before any cause is tried; otherwise a cause must prove by its own gain that there is one.
+/// docs/diagnosis.md gives the reasons for the bounds.
+[[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
+                              const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
+                              core::Progress& progress);
+
+/// Whether a cause stays named that makes the total gap smaller by such a share. Where it is none the smaller, the
+/// cause only fitted single cells, unless it explains nearly all of them: pooled data hide what evens out (a car
+/// reported late, that leaves here as many echoes as it makes there); or unless what is left is its own noise (two sets
+/// of a few false alarms are as far from each other as one is from none).
+[[nodiscard]] bool holdsOnTotal(const Candidate& winner, double shrink);
+
+/// The pairs in which another cause stands in a member's place, by its name (Decision::ties).
+[[nodiscard]] std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision);
+
+}  // namespace gap

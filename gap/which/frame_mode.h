@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// What all detections of a frame have in common. Effects, parameters and references act alike in all frames of a
+/// sample, or on every detection for itself; a sensor that jumps, drifts or swings from frame to frame does neither,
+/// and poses as noise.
+struct FrameMode {
+  Channel channel = kRange;  ///< in which it stands out most
+  double stddev = 0.0;       ///< of the common deviation, over frames [m, m, nW]
+  double z = 0.0;            ///< above that of detections that scatter for themselves, in standard deviations
+  /// Of the held-out discrepancy beyond that of a right model: what is gone once the measurement is rid of it.
+  double share_of_gap = 0.0;
+};
+
+/// On the held-out samples; nothing where it does not stand out beyond doubt, or does so in the baseline as well.
+[[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge);
+
+}  // namespace gap

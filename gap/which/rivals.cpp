@@ -1,0 +1,138 @@
+#include "gap/which/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gap/which/significance.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kApart = 1.5;       // standard deviations of the paired difference of two causes
+constexpr double kFarBehind = 0.15;  // in merit: no rival, however alike in single cells
+constexpr double kTie = 0.03;        // of what there is to explain: causes this close cannot be told apart
+constexpr std::size_t kRivals = 5;
+constexpr std::size_t kPairsLookedAt = 3;  // beside the best: the others were not fitted as well
+
+/// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
+/// mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a second), and
+/// the choice of a form other than its usual one.
+double choicesIn(const Candidate& candidate) {
+  constexpr double kNothing = 0.01;  // of the range
+  double numbers = 0.0;
+  for (std::size_t i = 0; i < candidate.values.size(); ++i) {
+    const FreeParameter& p = candidate.hypothesis.parameters[i];
+    numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
+  }
+  const double least = candidate.values.empty() ? 0.0 : 1.0;
+  return std::max(least, numbers) + (candidate.hypothesis.variant.empty() ? 0.0 : 1.0);
+}
+
+/// What it costs one cause to say more than another, as a square of standard deviations: twice the logarithm of a
+/// likelihood ratio is the square of its z.
+double costOf(const Candidate& candidate, const Candidate& beside) {
+  return 2.0 * Judge::kNatsPerNumber * std::max(0.0, choicesIn(candidate) - choicesIn(beside));
+}
+
+/// How well a candidate is told from the best one, with what it takes more to say it.
+double toldApart(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& other, double alike) {
+  const double apart = std::max(0.0, separationOnAll(quick, exact, best, other, alike));
+  return std::sqrt(apart * apart + costOf(other, best));
+}
+
+/// Those of other names, of each name the first one.
+std::vector<const Candidate*> othersThan(const Candidate& best, const std::vector<Candidate>& candidates) {
+  std::vector<const Candidate*> others;
+  for (const Candidate& candidate : candidates) {
+    const std::string& name = candidate.hypothesis.name;
+    const bool known = std::any_of(others.begin(), others.end(),
+                                   [&](const Candidate* other) { return other->hypothesis.name == name; });
+    if (name != best.hypothesis.name && !known) others.push_back(&candidate);
+  }
+  return others;
+}
+
+/// How well the best one is told from some others, the likeliest first.
+std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Candidate& best,
+                               std::vector<const Candidate*> others) {
+  if (others.size() > kRivals) others.resize(kRivals);
+  std::vector<Rival> rivals;
+  for (const Candidate* other : others) {
+    rivals.push_back({other->hypothesis.name, toldApart(quick, exact, best, *other, kTie)});
+  }
+  return rivals;
+}
+
+}  // namespace
+
+bool Rival::tied() const noexcept { return separation < kApart; }
+
+std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
+  const Candidate& best = candidates.front();
+  std::vector<const Candidate*> others = othersThan(best, candidates);
+  std::erase_if(others, [&](const Candidate* other) { return other->merit < best.merit - kFarBehind; });
+  return rivalsAmong(quick, exact, best, std::move(others));
+}
+
+std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
+  const Candidate& best = candidates.front();
+  return rivalsAmong(quick, exact, best, othersThan(best, candidates));
+}
+
+std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) {
+  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
+  for (const std::size_t kept : {0U, 1U}) {
+    for (const std::size_t same : {0U, 1U}) {
+      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
+      const bool effects = own.kind == CauseKind::kEffect && another.kind == CauseKind::kEffect;
+      if (effects && ours[kept].name == theirs[same].name && own.name != another.name)
+        return Rival{another.name, 0.0, own.name};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
+                                 double added) {
+  const Candidate& best = pairs.front();
+  std::vector<Rival> rivals;
+  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kFarBehind; ++i) {
+    std::optional<Rival> rival = exchangedIn(pairs[i], best);
+    if (!rival) continue;
+    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
+    if (known) continue;
+    rival->separation = toldApart(quick, exact, best, pairs[i], kTie * added);
+    rivals.push_back(std::move(*rival));
+  }
+  return rivals;
+}
+
+void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
+  const double least_merit = candidates.front().merit - kFarBehind;
+  for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
+    const Candidate &best = candidates.front(), &other = candidates[i];
+    const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
+    if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
+    const double apart = separationOnAll(quick, exact, other, best, kTie);
+    if (apart < std::sqrt(kApart * kApart + costOf(other, best))) continue;
+    const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(candidates.begin(), place, place + 1);
+  }
+}
+
+void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs) {
+  const auto effectsIn = [](const Candidate& pair) {
+    return std::count_if(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
+                         [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; });
+  };
+  for (std::size_t i = 1; i < pairs.size() && i <= kRivals; ++i) {
+    const Candidate &best = pairs.front(), &other = pairs[i];
+    if (other.merit < best.merit - kFarBehind) break;
+    if (effectsIn(other) <= effectsIn(best) || choicesIn(other) > choicesIn(best)) continue;
+    if (separationOnAll(quick, exact, best, other, kTie) < kApart) std::swap(pairs.front(), pairs[i]);
+  }
+}
+
+}  // namespace gap

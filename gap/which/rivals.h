@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// A cause that comes near to the best one.
+struct Rival {
+  std::string name;
+  double separation = 0.0;   ///< how much farther from all samples, in standard deviations of that difference, and
+                             ///< what its further free numbers cost; 0: as near
+  std::string instead_of{};  ///< of a pair: the member in whose place it stands beside the other one
+
+  /// Whether the data cannot tell it from the best one.
+  [[nodiscard]] bool tied() const noexcept;
+};
+
+/// How well the first candidate is told from those that come near to it in merit. docs/diagnosis.md gives the reasons
+/// for the bounds. `quick` sees some of the beams, enough for the samples that were fitted (separationOnAll).
+[[nodiscard]] std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact,
+                                          const std::vector<Candidate>& candidates);
+/// The same from all, however far behind: merits are shares of the gap, which say little where there is hardly any.
+[[nodiscard]] std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact,
+                                             const std::vector<Candidate>& candidates);
+
+/// The effect that one pair has in place of one of another pair, which are otherwise the same; its separation is left
+/// open. None where a recalibration is exchanged: it would not be named (leadByEffects).
+[[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
+
+/// Effects that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
+/// rival is as near if it is so by the measure of what the other one adds, the share `added`.
+[[nodiscard]] std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact,
+                                               const std::vector<Candidate>& pairs, double added);
+
+/// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
+/// samples, by more than what it takes more to say it.
+void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates);
+
+/// Of pairs that the data cannot tell from the best one, one of two effects before one with a recalibration: it would
+/// not be named, and the effect in its place would be missed.
+void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs);
+
+}  // namespace gap

@@ -1,0 +1,168 @@
+#include "gap/which/significance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/parallel.h"
+#include "gap/replay/statistics.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kRuns = 40;  // of the null: their spread is known to a tenth
+constexpr std::size_t kRoughRuns = 8;
+constexpr std::size_t kRunsApart = 8;  // of two causes
+constexpr double kBeyondDoubt = 4.0;   // standard deviations: told apart, whatever the other samples say
+
+constexpr std::uint64_t kFirstSeed = 3000;
+
+std::uint64_t seedOf(const Evidence& evidence, std::size_t run) { return evidence.seed + kFirstSeed + run; }
+
+/// Of the gain of all parts but one (all, if there is no such part).
+double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
+  const auto sum = [&](const std::vector<double>& of_parts) {
+    double total = 0.0;
+    for (std::size_t p = 0; p < of_parts.size(); ++p) total += p == left_out ? 0.0 : of_parts[p];
+    return total;
+  };
+  std::vector<double> totals;
+  for (const auto& run : gains.by_chance) totals.push_back(sum(run));
+  return Distribution(totals).z(sum(gains.observed));
+}
+
+}  // namespace
+
+NullRuns::NullRuns(const Replay& replay, std::vector<Evidence> parts, std::size_t runs)
+    : replay_(&replay), parts_(std::move(parts)), without_(runs) {
+  const World& baseline = replay.baseline();
+  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
+    for (const Evidence& part : parts_)
+      without_[run].push_back(discrepancyIn(replay, baseline, baseline, part, seedOf(part, run)));
+  });
+}
+
+NullRuns::Gains NullRuns::gainsOf(const World& world) const {
+  const World& baseline = replay_->baseline();
+  Gains gains{{}, without_};
+  core::parallelFor(runs(), 1, [&](std::size_t run, std::size_t) {
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      gains.by_chance[run][p] -= discrepancyIn(*replay_, baseline, world, parts_[p], seedOf(parts_[p], run));
+  });
+  for (const Evidence& part : parts_)
+    gains.observed.push_back(discrepancyOf(*replay_, baseline, part) - discrepancyOf(*replay_, world, part));
+  return gains;
+}
+
+std::vector<Evidence> bySample(const Evidence& evidence) {
+  std::vector<Evidence> parts;
+  for (const std::size_t sample : evidence.samples) {
+    parts.push_back(evidence);
+    parts.back().samples = {sample};
+  }
+  return parts;
+}
+
+NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more) {
+  gains.observed.insert(gains.observed.end(), more.observed.begin(), more.observed.end());
+  for (std::size_t run = 0; run < gains.by_chance.size(); ++run) {
+    std::vector<double>& of_run = gains.by_chance[run];
+    of_run.insert(of_run.end(), more.by_chance[run].begin(), more.by_chance[run].end());
+  }
+  return gains;
+}
+
+NullRuns nullRunsOf(const Judge& judge) { return {judge.replay, bySample(judge.split.held_out), kRuns}; }
+
+double restOf(const Judge& judge, const World& world, std::size_t runs) {
+  const Evidence& held_out = judge.split.held_out;
+  std::vector<double> rests(runs);
+  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
+    rests[run] = discrepancyIn(judge.replay, world, world, held_out, seedOf(held_out, run));
+  });
+  return Distribution(rests).z(discrepancyOf(judge.replay, world, held_out));
+}
+
+double restOf(const Judge& judge, const Candidate& candidate) {
+  return restOf(judge, worldOf(judge.replay, candidate.hypothesis, candidate.values), kRuns);
+}
+
+Significance significanceOf(const NullRuns::Gains& gains, double rest_z) {
+  const std::size_t parts = gains.observed.size();
+  const auto best =
+      static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
+  const double z = zOf(gains, parts);
+  return {.gain = std::accumulate(gains.observed.begin(), gains.observed.end(), 0.0),
+          .improvement_z = z,
+          .p_value = upperTail(z, gains.by_chance.size()),
+          .rest_z = rest_z,
+          .without_best_z = parts > 1 ? zOf(gains, best) : z};
+}
+
+Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls) {
+  const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
+  return significanceOf(nulls.gainsOf(world), restOf(judge, world, nulls.runs()));
+}
+
+std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates) {
+  const NullRuns nulls(judge.replay, {judge.split.held_out}, kRoughRuns);
+  std::vector<double> improvements;
+  for (const Candidate& candidate : candidates) {
+    const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
+    improvements.push_back(zOf(nulls.gainsOf(world), 1));
+  }
+  return improvements;
+}
+
+namespace {
+
+/// How much farther from some evidence one candidate is than another.
+struct Apart {
+  double difference = 0.0;
+  double variance = 0.0;  ///< of it, were the first one right
+
+  [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
+};
+
+Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
+  std::vector<double> differences(kRunsApart);
+  core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
+    const std::uint64_t seed = seedOf(evidence, run);
+    differences[run] =
+        discrepancyIn(replay, best, rival, evidence, seed) - discrepancyIn(replay, best, best, evidence, seed);
+  });
+  const double stddev = Distribution(differences).stddev;
+  return {discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence), stddev * stddev};
+}
+
+}  // namespace
+
+double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
+  const Replay& replay = judge.replay;
+  return apartOn(replay, judge.split.held_out, worldOf(replay, best.hypothesis, best.values),
+                 worldOf(replay, rival.hypothesis, rival.values))
+      .z();
+}
+
+double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
+                       double alike) {
+  Apart all;
+  bool differ = false;
+  for (const bool held_out : {true, false}) {
+    const Replay& replay = held_out ? exact.replay : quick.replay;
+    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
+    evidence.part.edges = exact.split.held_out.part.edges;
+    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
+    const Apart part = apartOn(replay, evidence, a, b);
+    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
+    differ = differ || part.difference > alike * explained;
+    if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
+    all.difference += part.difference;
+    all.variance += part.variance;
+  }
+  return differ ? all.z() : 0.0;
+}
+
+}  // namespace gap

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// Whether a candidate brings the simulation nearer to held-out data than chance would, and whether anything is left.
+/// Both worlds are simulated with the same random numbers, so what the candidate does not change cancels: small effects
+/// show that the sum over all cells would hide in its noise.
+struct Significance {
+  double gain = 0.0;           ///< of discrepancy, in nats; what fits worse may still stand out from chance
+  double improvement_z = 0.0;  ///< of the gain of discrepancy, against measurements drawn from the baseline
+  double p_value = 1.0;        ///< of such a gain by chance, of one candidate
+  double rest_z = 0.0;         ///< of what is left, against measurements drawn from the candidate's own world
+  /// As improvement_z, without the sample that gains most: a cause is in the sensor or in the reference of all, and
+  /// what one sample alone shows may have happened there only. Of a single held-out sample, as improvement_z.
+  double without_best_z = 0.0;
+};
+
+/// Measurements drawn from the baseline: what a world gains on them over the baseline, it gains by chance. They are the
+/// same for every world, so the baseline is compared with each of them once.
+class NullRuns {
+ public:
+  /// `parts`: evidence whose gains are wanted each by itself; not empty, all of one seed.
+  NullRuns(const Replay& replay, std::vector<Evidence> parts, std::size_t runs);
+
+  /// In nats, of each part.
+  struct Gains {
+    std::vector<double> observed;
+    std::vector<std::vector<double>> by_chance;  ///< of each run
+  };
+  [[nodiscard]] Gains gainsOf(const World& world) const;
+  [[nodiscard]] std::size_t runs() const noexcept { return without_.size(); }
+
+ private:
+  const Replay* replay_;
+  std::vector<Evidence> parts_;
+  std::vector<std::vector<double>> without_;  ///< discrepancy of the baseline in every run, of each part
+};
+
+/// Evidence of single samples.
+[[nodiscard]] std::vector<Evidence> bySample(const Evidence& evidence);
+/// Gains of more parts in the same runs.
+[[nodiscard]] NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more);
+
+/// As many runs as a verdict takes, on the held-out samples.
+[[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
+/// What is left by a world on held-out data, against as many measurements drawn from itself.
+[[nodiscard]] double restOf(const Judge& judge, const World& world, std::size_t runs);
+[[nodiscard]] double restOf(const Judge& judge, const Candidate& candidate);
+[[nodiscard]] Significance significanceOf(const NullRuns::Gains& gains, double rest_z);
+[[nodiscard]] Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls);
+
+/// The improvement_z of many candidates, from fewer measurements drawn: enough to see which to look at closely.
+[[nodiscard]] std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates);
+
+/// How much nearer to held-out data one candidate is than a rival, in standard deviations of that difference if the
+/// first were right. Below two the data hardly tell them apart.
+[[nodiscard]] double separation(const Judge& judge, const Candidate& best, const Candidate& rival);
+/// The same on the samples that both were fitted to as well, which is fair if both have as many free numbers. `quick`
+/// sees some of the beams: enough for these samples. Edges take part where they do on held-out samples. 0 if the rival
+/// is farther by no more than the share `alike` of what the first explains, on either part of the samples.
+[[nodiscard]] double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
+                                     const Candidate& rival, double alike);
+
+}  // namespace gap

@@ -1,0 +1,162 @@
+#include "gap/causes/hypotheses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+
+#include "gap/causes/fit.h"
+#include "tests/gap/small_world.h"
+
+// A number of the model file is searched in the unit that the ending of its name says.
+namespace {
+
+using test_support::SmallWorld;
+
+TEST(Hypotheses, AWrongNumberOfTheModelHasTheUnitOfItsKey) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({{"mounting-error", {{"yaw_deg", 0.3}}},
+                                            {"atmospheric-attenuation", {{"visibility_m", 400}}},
+                                            {"detection-loss", {{"probability", 0.1}}}});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  std::map<std::string, std::string> units;
+  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {})) {
+    if (hypothesis.kind == gap::CauseKind::kParameter) units[hypothesis.name] = hypothesis.parameters.at(0).unit;
+  }
+  const std::map<std::string, std::string> expected = {{"/sensor/emitter/peak_power_w", "W"},
+                                                       {"/sensor/emitter/pulse_fwhm_ns", "ns"},
+                                                       {"/sensor/emitter/divergence_rad/horizontal", "rad"},
+                                                       {"/sensor/emitter/divergence_rad/vertical", "rad"},
+                                                       {"/sensor/receiver/noise_w", "W"},
+                                                       {"/sensor/receiver/threshold_w", "W"},
+                                                       {"/sensor/detection/range_noise_m", "m"},
+                                                       {"/sensor/detection/epw_noise_m", "m"},
+                                                       {"/effects/mounting-error/yaw_deg", "deg"},
+                                                       {"/effects/atmospheric-attenuation/visibility_m", "m"},
+                                                       {"/effects/detection-loss/probability", ""}};
+  for (const auto& [pointer, unit] : expected) {
+    ASSERT_TRUE(units.contains(pointer)) << pointer;
+    EXPECT_EQ(units.at(pointer), unit) << pointer;
+  }
+}
+
+// A sensor may be turned about any of its axes, and only one of them at once is tried beside yaw and pitch.
+TEST(Hypotheses, AnEffectIsTriedInEveryFormThatItDeclares) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const auto all = gap::hypothesesFor(replay, {"mounting-error"});
+  const auto roll = std::find_if(all.begin(), all.end(), [](const gap::Hypothesis& h) { return h.variant == "roll"; });
+  ASSERT_NE(roll, all.end());
+  const gap::World turned = gap::worldOf(replay, *roll, {0.7});
+  EXPECT_EQ(turned.model.effects.back().parameters.numbers, (std::map<std::string, double>{{"roll_deg", 0.7}}));
+}
+
+// What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
+TEST(Hypotheses, EndsOfASectorThatASearchCrossedStandInOrder) {
+  const std::vector<gap::FreeParameter> cover{
+      {.name = "attenuation"}, {.name = "azimuth_from_deg"}, {.name = "azimuth_to_deg"}};
+  EXPECT_EQ(gap::inOrder(cover, {0.9, 20.0, -5.0}), (std::vector<double>{0.9, -5.0, 20.0}));
+  EXPECT_EQ(gap::inOrder(cover, {0.9, -5.0, 20.0}), (std::vector<double>{0.9, -5.0, 20.0}));
+  EXPECT_EQ(gap::inOrder({{.name = "factor"}, {.name = "window"}}, {9.0, 5.0}), (std::vector<double>{9.0, 5.0}));
+}
+
+TEST(Hypotheses, AReferenceIsWrongOnlyBeyondWhatIsRecordedOfIt) {
+  SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto unknown = world.measuredBy(model, 0.4);
+  const auto known = world.knownToWithin(0.01).measuredBy(model, 0.4);
+  const gap::Replay without(unknown, model), within(known, model);
+  const auto all = gap::hypothesesFor(within, {"range-offset"});
+  const auto constant = std::find_if(all.begin(), all.end(), [](const gap::Hypothesis& h) {
+    return h.name == "/scene/0/pose/position_m/0" && !h.per_setup;
+  });
+  const auto varying = std::find_if(all.begin(), all.end(), [](const gap::Hypothesis& h) {
+    return h.name == "/scene/0/pose/position_m/0" && h.per_setup;
+  });
+  ASSERT_NE(constant, all.end());
+  ASSERT_NE(varying, all.end());
+  EXPECT_TRUE(gap::asRecorded(within, *constant, {-0.008}));
+  EXPECT_FALSE(gap::asRecorded(within, *constant, {0.012}));
+  EXPECT_FALSE(gap::asRecorded(without, *constant, {0.001}));  // nothing was recorded of it
+  std::vector<double> offsets(varying->parameters.size(), 0.005);
+  EXPECT_TRUE(gap::asRecorded(within, *varying, offsets));
+  offsets.back() = -0.02;  // one set-up is enough
+  EXPECT_FALSE(gap::asRecorded(within, *varying, offsets));
+  EXPECT_FALSE(gap::asRecorded(within, all.front(), {0.001}));  // an effect
+}
+
+// Who forgot that a beam has a width means the profile's; another width is another thing to be wrong about.
+TEST(Hypotheses, BeamDivergenceIsTriedWithTheWidthOfTheProfileFirst) {
+  const SmallWorld world;
+  auto json = SmallWorld::modelWith({}).json;
+  json["effects"].erase("beam-divergence");
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const gap::Replay replay(measured, model::parseModel(json, "small-model.json"));
+  std::vector<std::size_t> free_numbers;
+  for (const gap::Hypothesis& h : gap::hypothesesFor(replay, {"beam-divergence"}))
+    if (h.name == "beam-divergence") free_numbers.push_back(h.parameters.size());
+  EXPECT_EQ(free_numbers, (std::vector<std::size_t>{0, 2}));
+}
+
+// Every surface may mirror, so second bounces are traced once, and only their power depends on how much of it does.
+TEST(Hypotheses, NumbersThatChangeOnlyThePowerShareOneGeometry) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const auto keyWith = [&](const nlohmann::json& multipath) {
+    return gap::geometryKey({.model = SmallWorld::modelWith({{"multipath", multipath}})}, measured.samples.front());
+  };
+  EXPECT_EQ(keyWith({{"specular_fraction", 0.1}}), keyWith({{"specular_fraction", 0.4}}));
+  EXPECT_NE(keyWith({{"specular_fraction", 0.1}}), keyWith(nlohmann::json::object()));
+  EXPECT_NE(keyWith({{"specular_fraction", 0.1}}), keyWith({{"specular_fraction", 0.1}, {"max_bounces", 3}}));
+}
+
+TEST(Hypotheses, ACauseBesideAnotherMakesTheWorldThatBothMakeTogether) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const auto effect = [&](const std::string& name) { return gap::hypothesesFor(replay, {name}).front(); };
+  const gap::Hypothesis fog = effect("atmospheric-attenuation"), loss = effect("detection-loss");
+  const gap::Hypothesis added = gap::beside(fog, {500.0}, loss);
+  EXPECT_EQ(added.name, "detection-loss");
+  EXPECT_EQ(gap::worldOf(replay, added, {0.1}).model.json,
+            gap::worldOf(replay, gap::together(fog, loss), {500.0, 0.1}).model.json);
+  EXPECT_NE(gap::worldOf(replay, added, {0.1}).model.json, gap::worldOf(replay, loss, {0.1}).model.json);
+}
+
+/// Gains of the layers as the hypothesis has them at the strength that the data show.
+std::vector<double> gainsSeenIn(const model::LidarModel& truth) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Hypothesis uneven = gap::hypothesesFor(replay, {"photo-response-nonuniformity"}).front();
+  const gap::World seen = gap::worldOf(replay, uneven, {uneven.parameters.front().start});
+  for (const model::ActiveEffect& effect : seen.model.effects)
+    if (effect.name == uneven.name) return effect.parameters.lists.at("gain_per_layer");
+  return {};
+}
+
+TEST(Hypotheses, AFactorThatAllLayersShareIsNoUnevenness) {
+  for (const double gain : gainsSeenIn(SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 55.0}})))
+    EXPECT_NEAR(gain, 1.0, 0.01);
+}
+
+// Their mean is one only by chance, and four gains that scatter by 0.15 may well have one of 1.02.
+TEST(Hypotheses, AnUnevennessIsSeenAsItIsAndBesideAWeakEmitterWithoutTheFactorOfThat) {
+  const std::vector<double> gains = {1.15, 0.9, 1.08, 0.95};
+  const SmallWorld::Effects uneven = {{"photo-response-nonuniformity", {{"gain_per_layer", gains}}}};
+  const std::vector<double> seen = gainsSeenIn(SmallWorld::modelWith(uneven));
+  const std::vector<double> dimmed =
+      gainsSeenIn(SmallWorld::modelWith(uneven, {{"/sensor/emitter/peak_power_w", 15.0}}));
+  ASSERT_EQ(seen.size(), gains.size());
+  ASSERT_EQ(dimmed.size(), gains.size());
+  const double shared = std::pow(1.15 * 0.9 * 1.08 * 0.95, 0.25);
+  for (std::size_t layer = 0; layer < gains.size(); ++layer) {
+    EXPECT_NEAR(seen[layer], gains[layer], 0.01) << layer;
+    EXPECT_NEAR(dimmed[layer], gains[layer] / shared, 0.015) << layer;
+  }
+}
+
+}  // namespace

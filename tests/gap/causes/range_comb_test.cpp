@@ -1,0 +1,69 @@
+#include "gap/causes/range_comb.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+
+// The step of a counter, read from the values that it reports.
+namespace {
+
+constexpr double kRounding_m = 0.001;
+
+double rounded(double value, double step) { return step * std::round(value / step); }
+
+/// Ranges from 4 to 24 m, as a counter of this step tells them, written down in steps of 2 mm, or of twice
+/// `rounding_m`.
+std::vector<double> ranges(double step_m, double rounding_m = kRounding_m) {
+  core::Random random({.seed = 7});
+  std::vector<double> values;
+  for (int i = 0; i < 400; ++i) {
+    const double range_m = 4.0 + 20.0 * random.uniform();
+    values.push_back(rounded(step_m > 0.0 ? rounded(range_m, step_m) : range_m, 2.0 * rounding_m));
+  }
+  return values;
+}
+
+// The smallest distance of two would be 0.010 m, which puts a range of 24 m onto the 400th multiple beside it.
+TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
+  const auto comb = gap::combOf(ranges(0.0117), kRounding_m);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.0117, comb->uncertain);
+  EXPECT_LT(comb->uncertain, 5e-6);
+}
+
+// Multiples of 0.0419 m in steps of 0.02 m: 0.04, 0.08, 0.12, 0.16 or 0.18, ...
+TEST(RangeComb, TellsAStepThatTheProfilesOwnStepsBlur) {
+  const auto comb = gap::combOf(ranges(0.0419, 0.01), 0.01);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.0419, comb->uncertain);
+}
+
+// Eight targets, three steps of 0.0482 m each: too few to be aligned by more than chance, but none lies between.
+TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
+  std::vector<double> values;
+  for (const int first : {178, 229, 271, 366, 455, 556, 650, 811})
+    for (int step = 0; step < 3; ++step) values.push_back(rounded(0.0482 * (first + step), 0.02));
+  const auto comb = gap::combOf(values, 0.01);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.0482, 2.0 * comb->uncertain);
+}
+
+TEST(RangeComb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
+  core::Random random({.seed = 11});
+  std::vector<double> values{4.0};
+  for (int i = 0; i < 14; ++i) values.push_back(rounded(values.back() + 0.04 + 0.06 * random.uniform(), 0.02));
+  EXPECT_FALSE(gap::combOf(values, 0.01));
+}
+
+TEST(RangeComb, SeesNoneInValuesThatAreOnlyRounded) { EXPECT_FALSE(gap::combOf(ranges(0.0), kRounding_m)); }
+
+TEST(RangeComb, SeesNoneInFewValuesThatHappenToLieApart) {
+  EXPECT_FALSE(gap::combOf({3.0, 3.1, 3.2, 3.3}, kRounding_m));
+  EXPECT_FALSE(
+      gap::combOf({3.004, 3.116, 3.25, 3.402, 3.506, 3.632, 3.78, 3.894, 4.038, 4.152, 4.3, 4.426}, kRounding_m));
+}
+
+TEST(RangeComb, SeesNoneInNothing) { EXPECT_FALSE(gap::combOf({}, kRounding_m)); }
+
+}  // namespace

@@ -1,0 +1,65 @@
+#include "gap/replay/replay.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "core/physics.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+
+/// Mean intensity of the cells of sample r8 at an azimuth. [nW]
+double intensityAt(const gap::Replay& replay, double azimuth_deg) {
+  constexpr int kFrames = 200;
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const gap::ReplaySample& sample = replay.samples()[s];
+    if (sample.sample->id != "r8") continue;
+    const auto statistics = replay.simulate(replay.baseline(), s, kFrames, 1);
+    double sum = 0.0, count = 0.0;
+    for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
+      const model::Beam& beam = sample.beams[sample.layout->cells()[c].beam];
+      if (std::abs(beam.azimuth_rad * core::kDegPerRad - azimuth_deg) > 0.1) continue;
+      sum += statistics[c].sum[gap::kIntensity];
+      count += statistics[c].count;
+    }
+    return sum / count;
+  }
+  return 0.0;
+}
+
+// The beam at 5 degrees is 2 mrad wide and even; the wall ends 0.95 mrad beside its axis, so it leaves 0.975 of the
+// power. The outermost of 9 rays in a row lies 0.89 mrad beside the axis: all of them meet the wall. A plane wall
+// returns cos³ of the azimuth (cos θ of Lambert's law, r⁻²).
+TEST(Replay, ASurfaceThatEndsBeyondTheOutermostRayOfABeamLosesThePowerThatPassesIt) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  model::Experiment experiment = world.measuredBy(model, 0.4);
+  const double edge_rad = 5.0 * core::kRadPerDeg + 0.95e-3;
+  experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 8.0 * std::tan(edge_rad);
+  const gap::Replay replay(experiment, model, {.most_beams = 1000});
+  const double expected = 0.975 * std::pow(std::cos(5.0 * core::kRadPerDeg) / std::cos(4.0 * core::kRadPerDeg), 3.0);
+  EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 4.0), expected, 0.004);
+}
+
+// The beam at 5 degrees is parted by the upright corner of a box 0.2 mrad beside its axis: 0.4 of its power meets the
+// front, the rest the side, which it grazes. Of 9 rays in a row 4 meet the front. By Lambert's law the front returns
+// cos³ of the azimuth, and the side, at the corner, sin cos².
+TEST(Replay, ABeamPartedByTheCornerOfABoxReturnsWhatBothFacesDo) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  model::Experiment experiment = world.measuredBy(model, 0.4);
+  const double azimuth_rad = 5.0 * core::kRadPerDeg, corner_y_m = 7.0 * std::tan(azimuth_rad + 0.2e-3);
+  nlohmann::json& box = experiment.json["scene"][0];
+  box["shape"] = {{"type", "box"}, {"size_m", {2.0, 4.0, 8.0}}};  // its middle is 8 m away in r8
+  box["pose"]["position_m"][1] = corner_y_m + 2.0;
+  const gap::Replay replay(experiment, model, {.most_beams = 1000});
+  const auto front = [](double at_rad) { return std::pow(std::cos(at_rad), 3.0); };
+  const double side = std::sin(azimuth_rad) * std::pow(std::cos(azimuth_rad), 2.0);
+  const double expected = (0.4 * front(azimuth_rad) + 0.6 * side) / front(6.0 * core::kRadPerDeg);
+  EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 6.0), expected, 0.01);
+}
+
+}  // namespace

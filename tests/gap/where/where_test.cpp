@@ -1,0 +1,95 @@
+#include "gap/where/where.h"
+
+#include <gtest/gtest.h>
+
+#include "gap/report/wording.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+gap::ResidualTable tableOf(const std::vector<double>& values, double error) {
+  gap::ResidualTable table{"epw", "bias", "m", 0.04, {}};
+  for (std::size_t i = 0; i < values.size(); ++i) table.rows.push_back({0, i, values[i], error, 10.0});
+  return table;
+}
+
+TEST(Where, ExcessIsZeroWhereResidualsAreNoLargerThanTheirErrors) {
+  EXPECT_EQ(tableOf({0.01, -0.012, 0.008}, 0.01).excess(), 0.0);
+}
+
+// sqrt(0.05² - (2·0.015)²) = 0.04: one step of 0.04 m in half of the rows.
+TEST(Where, ExcessCountsWhatTheErrorLeavesInStepsOfTheResolution) {
+  EXPECT_NEAR(tableOf({0.05, 0.0}, 0.015).excess(), 0.5, 1e-12);
+}
+
+// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
+// high by chance are no stratum in which the model is wrong.
+TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
+  const test_support::SmallWorld world;
+  const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});
+  const auto measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
+  const gap::WhereResult where = gap::whereIn(replay, replay.baseline(), 1);
+  bool scatters = false;
+  for (const gap::WhereRow& row : where.rows) {
+    scatters = scatters || (row.measurand == "epw" && row.component == "scatter");
+    if (row.component != "bias") continue;
+    EXPECT_GT(row.p_value, 1e-3) << gap::whereSentence(row);
+  }
+  EXPECT_TRUE(scatters);
+}
+
+// The wall of r36 spans 36 to 38.3 m: no sixteenth of the data ends where the gate does.
+TEST(Where, SaysWhereAGateOfTheReceiverCloses) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto gated = test_support::SmallWorld::modelWith({{"range-gating", {{"from_m", 0.0}, {"to_m", 37.0}}}});
+  const auto measured = world.measuredBy(gated, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
+  ASSERT_TRUE(gate.closes_m);
+  EXPECT_NEAR(*gate.closes_m, 37.0, 0.1);  // two beams lie as far apart
+  EXPECT_FALSE(gate.opens_m);
+}
+
+TEST(Where, SeesNoGateWhereNothingIsMissing) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
+  EXPECT_FALSE(gate.closes_m || gate.opens_m);
+}
+
+TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {
+  gap::WhereRow row{.measurand = "epw",
+                    .component = "bias",
+                    .covariate = "range_m",
+                    .low = 28.1,
+                    .high = 69.0,
+                    .value = -0.27,
+                    .unit = "m",
+                    .share = 0.62,
+                    .size = 0.4};
+  EXPECT_EQ(
+      gap::whereSentence(row),
+      "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m: 62 % of this gap, in 40 % of "
+      "the data.");
+}
+
+TEST(Wording, OneEchoIsNotSeveral) {
+  gap::WhereRow row{.measurand = "existence",
+                    .component = "missing",
+                    .covariate = "range_m",
+                    .low = 30.0,
+                    .high = 60.0,
+                    .value = -1.0,
+                    .unit = "1/shot"};
+  EXPECT_NE(gap::whereSentence(row).find("lacks 1 echo per shot"), std::string::npos);
+  row.value = -0.5;
+  EXPECT_NE(gap::whereSentence(row).find("lacks 0.5 echoes per shot"), std::string::npos);
+  EXPECT_EQ(gap::withUnit(-1.0, "1/shot"), "-1 echo per shot");
+  EXPECT_EQ(gap::withUnit(0.5, "1/shot"), "0.5 echoes per shot");
+}
+
+}  // namespace

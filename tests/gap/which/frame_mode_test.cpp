@@ -1,0 +1,80 @@
+#include "gap/which/frame_mode.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/detection_files/detection_file.h"
+#include "gap/diagnosis.h"
+#include "tests/gap/small_world.h"
+
+// Frames that do not repeat each other: whatever causes that, no effect of the library does.
+namespace {
+
+using test_support::SmallWorld;
+
+class Frames : public testing::Test {
+ protected:
+  /// What the model itself measures, every second frame of it farther than the others by twice this, as of a scanner
+  /// whose mirror has two facets.
+  [[nodiscard]] model::Experiment alternating(double deviation_m) const {
+    model::Experiment experiment = world_.measuredBy(model_, 0.4);
+    for (const model::Sample& sample : experiment.samples) {
+      core::Detections detections = model::readMeasurements(experiment, sample);
+      for (std::size_t i = 0; i < detections.size(); ++i)
+        detections.range_m[i] += detections.frame[i] % 2 == 0 ? -deviation_m : deviation_m;
+      core::writeDetections(sample.measurements, detections);
+    }
+    return experiment;
+  }
+  [[nodiscard]] std::optional<gap::FrameMode> modeOf(const model::Experiment& experiment) const {
+    const gap::Replay replay(experiment, model_);
+    const gap::Split split = gap::splitOf(replay, 1);
+    return gap::frameModeOf({replay, split, gap::yardstickOf(replay, split.held_out)});
+  }
+
+  SmallWorld world_;
+  model::LidarModel model_ = SmallWorld::modelWith({});
+};
+
+TEST_F(Frames, ThatAlternateAreSeenWithTheirDeviationAndAreTheWholeGap) {
+  const auto mode = modeOf(alternating(0.03));
+  ASSERT_TRUE(mode);
+  EXPECT_EQ(mode->channel, gap::kRange);
+  // Twenty frames of ±0.03 m have a standard deviation of 0.03 √(20/19) m.
+  EXPECT_NEAR(mode->stddev, 0.0308, 0.001);
+  EXPECT_GT(mode->share_of_gap, 0.9);
+}
+
+TEST_F(Frames, ThatRepeatEachOtherAreNot) {
+  EXPECT_FALSE(modeOf(world_.measuredBy(model_, 0.4)));
+  const auto noisy = SmallWorld::modelWith({}, {{"/sensor/detection/range_noise_m", 0.045}});
+  EXPECT_FALSE(modeOf(world_.measuredBy(noisy, 0.4)));
+}
+
+// They scatter as range noise of 0.034 m does, detection by detection.
+TEST_F(Frames, ThatAlternateAreNoNoise) {
+  core::SilentProgress progress;
+  const gap::Diagnosis diagnosis = gap::diagnose(alternating(0.03), model_, {}, progress);
+  EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
+  EXPECT_THAT(diagnosis.verdict.text, testing::StartsWith("They differ from frame to frame"));
+  EXPECT_THAT(diagnosis.notes, testing::Contains(testing::HasSubstr("All detections of a frame deviate together")));
+}
+
+// Warming up the sensor reads short by 0.03 m at first and by less with every frame. An offset explains most of it, but
+// is the same in all frames.
+TEST_F(Frames, ThatDriftMakeAConstantOffsetDoubtful) {
+  model::Experiment experiment = world_.measuredBy(model_, 0.4);
+  for (const model::Sample& sample : experiment.samples) {
+    core::Detections detections = model::readMeasurements(experiment, sample);
+    for (std::size_t i = 0; i < detections.size(); ++i)
+      detections.range_m[i] -= 0.03 * std::exp(-detections.frame[i] / 30.0);
+    core::writeDetections(sample.measurements, detections);
+  }
+  core::SilentProgress progress;
+  const gap::Diagnosis diagnosis = gap::diagnose(experiment, model_, {}, progress);
+  EXPECT_THAT(diagnosis.notes, testing::Contains(testing::HasSubstr("All detections of a frame deviate together")));
+  EXPECT_LE(diagnosis.verdict.confidence, 0.5);
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+#include "gap/which/rest.h"
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "gap/report/wording.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+
+/// A replay of a small world, and residuals of the echo pulse width that a test makes up for its cells.
+class MadeUpResiduals : public ::testing::Test {
+ protected:
+  static constexpr double kError_m = 0.01;
+
+  template <typename Residual>
+  gap::WhereResult residuals(const Residual& residual_m) const {
+    gap::WhereResult where;
+    gap::ResidualTable table{"epw", "bias", "m", 0.04, {}};
+    for (std::size_t s = 0; s < replay_.samples().size(); ++s) {
+      const gap::ReplaySample& sample = replay_.samples()[s];
+      where.expected.push_back(sample.statistics);
+      for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
+        core::Random random({.sample = static_cast<std::uint32_t>(s), .beam = static_cast<std::uint32_t>(c)});
+        table.rows.push_back(
+            {s, c, residual_m(sample.layout->cells()[c]) + kError_m * random.normal(), kError_m, 20.0});
+      }
+    }
+    where.tables.push_back(std::move(table));
+    return where;
+  }
+  [[nodiscard]] gap::Rest rest(const gap::WhereResult& before, const gap::WhereResult& after) const {
+    return gap::restOf(replay_, gap::splitOf(replay_, 1), before, after).value();
+  }
+
+  SmallWorld world_;
+  model::LidarModel model_ = SmallWorld::modelWith({});
+  model::Experiment experiment_ = world_.measuredBy(model_, 0.4);
+  gap::Replay replay_{experiment_, model_, {.most_beams = 1000}};
+};
+
+TEST_F(MadeUpResiduals, ALawOfTheDistanceIsFoundWithItsNumbersAndAFormula) {
+  const auto where = residuals([](const gap::Cell& cell) { return 0.2 + 0.01 * cell.anchor_m; });
+  const gap::Rest rest = this->rest(where, where);
+  EXPECT_DOUBLE_EQ(rest.left, 1.0);
+  EXPECT_GT(rest.systematic, 0.95);
+  ASSERT_EQ(rest.laws.size(), 1U);
+  const gap::Law& law = rest.laws.front();
+  ASSERT_EQ(law.terms.size(), 1U);
+  EXPECT_EQ(law.terms.front().covariate, "range_m");
+  EXPECT_EQ(law.terms.front().function, "x");
+  EXPECT_NEAR(law.terms.front().coefficient, 0.01, 3e-4);
+  EXPECT_NEAR(law.constant, 0.2, 0.01);
+  EXPECT_GT(law.explained, 0.95);
+}
+
+TEST_F(MadeUpResiduals, WhatIsRandomFromCellToCellHasNoLaw) {
+  const auto where = residuals([](const gap::Cell& cell) {
+    core::Random random({.beam = cell.beam, .purpose = static_cast<std::uint32_t>(cell.anchor_m)});
+    return 0.2 * random.normal();
+  });
+  const gap::Rest rest = this->rest(where, where);
+  EXPECT_TRUE(rest.laws.empty());
+  EXPECT_LT(rest.systematic, 0.15);
+  EXPECT_LT(rest.ceiling(), 0.15);
+}
+
+TEST_F(MadeUpResiduals, AWorldThatTakesHalfOfTheResidualAwayLeavesAQuarterOfItsSquares) {
+  const auto residual = [](const gap::Cell& cell) { return 0.002 * cell.anchor_m; };
+  const gap::Rest rest =
+      this->rest(residuals(residual), residuals([&](const gap::Cell& cell) { return 0.5 * residual(cell); }));
+  EXPECT_NEAR(rest.left, 0.25, 0.05);
+  EXPECT_GT(rest.ceiling(), 0.95);
+}
+
+TEST_F(MadeUpResiduals, NothingIsSaidOfAHandfulOfCells) {
+  gap::WhereResult few = residuals([](const gap::Cell&) { return 0.2; });
+  few.tables.front().rows.resize(20);
+  EXPECT_FALSE(gap::restOf(replay_, gap::splitOf(replay_, 1), few, few).has_value());
+}
+
+TEST(Wording, AFormulaNamesItsCovariates) {
+  gap::Law law;
+  law.constant = 0.21;
+  law.terms = {{"incidence_deg", "tan² x", 0.34}, {"range_m", "1/x", -2.0}, {"temperature_c", "x", 0.5}};
+  EXPECT_EQ(gap::formulaOf(law), "0.21 + 0.34·tan²(incidence_deg) − 2/range_m + 0.5·temperature_c");
+}
+
+}  // namespace
