@@ -103,6 +103,14 @@ TEST_F(DesktopDiagnosis, AReportShowsVerdictPlacesCausesAndWhatIsLeft) {
   }
 }
 
+TEST_F(DesktopDiagnosis, ACauseSaysItsFormItsSensorsAndHowSureItIs) {
+  nlohmann::json causes = core::readJson(demo_.report()).at("causes");
+  causes[0].update({{"variant", "droplets"}, {"sensors", {"front", "rear"}}, {"confidence", 0.625}});
+  ASSERT_TRUE(page().openReport(reportWith({{"causes", causes}})));
+  EXPECT_TRUE(shownText().contains("effect · droplets · sensor front, rear only")) << shownText().toStdString();
+  EXPECT_TRUE(shownText().contains("62.5 %")) << shownText().toStdString();
+}
+
 nlohmann::json approximation(double ratio) {
   return {{"text", "Proxy and model under test differ."}, {"proxy", "near"}, {"ratio", ratio}};
 }

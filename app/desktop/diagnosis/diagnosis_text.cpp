@@ -146,20 +146,29 @@ QString parametersOf(const gap::Cause& cause) {
   return parts.join("<br/>");
 }
 
+/// "effect · per set-up · sensor front only"
+QString kindOf(const gap::Cause& cause) {
+  QStringList parts{QString::fromStdString(gap::toString(cause.kind))};
+  if (!cause.variant.empty()) parts << QString::fromStdString(cause.variant);
+  if (!cause.sensors.empty())
+    parts << QObject::tr("sensor %1 only").arg(QString::fromStdString(core::join(cause.sensors)));
+  return parts.join(QStringLiteral(" · "));
+}
+
 QString causesPart(const GapReport& report, const QPalette& palette) {
   if (report.causes.empty()) return {};
   QString rows = head({QObject::tr("Cause"), QObject::tr("Explains"), "", QObject::tr("Shrinks the gap by"),
-                       QObject::tr("Fitted, with 95 % interval")},
+                       QObject::tr("Confidence"), QObject::tr("Fitted, with 95 % interval")},
                       palette);
   for (const gap::Cause& cause : report.causes) {
     const bool named = std::ranges::find(report.verdict.names, cause.name) != report.verdict.names.end();
     const QString name = html::text(cause.name);
-    const QString kind = html::muted(html::text(gap::toString(cause.kind)), palette);
+    const QString kind = html::muted(kindOf(cause).toHtmlEscaped(), palette);
     rows += "<tr>" + cell((named ? "<b>" + name + "</b>" : name) + "<br/>" + kind) +
             cell(bar(cause.explained, named ? accent::kTeal : accent::kBlue, palette)) +
             cell(percent(cause.explained), true) +
-            cell(percent(cause.shrink.fraction) + interval(cause.shrink.interval)) + sentence(parametersOf(cause)) +
-            "</tr>";
+            cell(percent(cause.shrink.fraction) + interval(cause.shrink.interval)) +
+            cell(percent(cause.confidence), true) + sentence(parametersOf(cause)) + "</tr>";
   }
   QString page = title(QObject::tr("Which cause?")) + table(rows);
   const auto effects = report.namedEffects();
