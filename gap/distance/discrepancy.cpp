@@ -7,33 +7,21 @@
 
 #include "core/physics.h"
 #include "gap/distance/extra_echoes.h"
-#include "gap/replay/statistics.h"
+#include "gap/distance/spread.h"
 
 namespace gap {
 
 namespace {
 
-constexpr double kFloorSteps = 0.2;    // of the resolution: smaller mean differences are not worth explaining
-constexpr double kRateOfPower = 2.0;   // most that the detection rate changes with the relative power, at the threshold
-constexpr double kSureRate = 0.5;      // detections per frame: no group has cells whose rate is known no better
-constexpr double kRateFloor = 0.03;    // detections per frame and cell
-constexpr double kSpreadFloor = 0.05;  // of the logarithm of a variance
-constexpr double kLostCell = 20.0;     // z per channel of a surface that only one side detects in every frame
+constexpr double kFloorSteps = 0.2;   // of the resolution: smaller mean differences are not worth explaining
+constexpr double kRateOfPower = 2.0;  // most that the detection rate changes with the relative power, at the threshold
+constexpr double kSureRate = 0.5;     // detections per frame: no group has cells whose rate is known no better
+constexpr double kRateFloor = 0.03;   // detections per frame and cell
+constexpr double kLostCell = 20.0;    // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
 constexpr std::size_t kGroups = 6;         // groups of like power in which rates and spreads are compared
-
-/// Variance that the profile states for one detection: a prior where a cell has few of them.
-double priorVariance(const Replay& replay, const ReplaySample& sample, Channel channel) {
-  const model::SensorProfile& sensor = replay.baseline().model.sensor(sample.sample->sensor);
-  const double step = replay.resolution(channel);
-  double noise = step;
-  if (channel == kRange) noise = sensor.detection.range_noise_m;
-  if (channel == kEpw) noise = sensor.detection.epw_noise_m;
-  if (channel == kIntensity) noise = 1e9 * sensor.receiver.noise_w;
-  return noise * noise + step * step / 12.0;
-}
 
 double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
   const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
@@ -86,53 +74,6 @@ void addRates(const std::vector<std::size_t>& cells, std::span<const CellStatist
   }
 }
 
-struct PooledSpread {
-  double degrees_of_freedom = 0.0;
-  double variance = 0.0;
-};
-
-/// Variance within some cells. None counts with more than ten times what is usual among them or stated by the profile:
-/// one foreign pulse that is merged with an echo would outweigh all the others.
-PooledSpread spreadWithin(std::span<const std::size_t> cells, std::span<const CellStatistics> statistics,
-                          Channel channel, double prior) {
-  constexpr double kMostOfUsual = 10.0;
-  std::vector<double> variances;
-  for (const std::size_t c : cells) variances.push_back(statistics[c].variance(channel));
-  std::vector<double> sorted = variances;
-  const double most = kMostOfUsual * std::max(prior, sorted.empty() ? 0.0 : medianOf(sorted));
-  PooledSpread pooled;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double freedom = statistics[cells[i]].count - 1.0;
-    pooled.degrees_of_freedom += freedom;
-    sum += freedom * std::min(most, variances[i]);
-  }
-  pooled.variance = sum / std::max(1.0, pooled.degrees_of_freedom);
-  return pooled;
-}
-
-/// Spread within cells, pooled over groups of cells of like predicted power.
-void addSpread(const Replay& replay, const ReplaySample& sample, const std::vector<std::size_t>& cells, Channel channel,
-               std::span<const CellStatistics> measured, std::span<const CellStatistics> simulated, double& result) {
-  const double prior = priorVariance(replay, sample, channel);
-  const auto groups = evenParts(cells.size(), kGroups);
-  for (const auto& [begin, end] : groups) {
-    std::vector<std::size_t> scattering(cells.begin() + static_cast<std::ptrdiff_t>(begin),
-                                        cells.begin() + static_cast<std::ptrdiff_t>(end));
-    std::erase_if(scattering, [&](std::size_t c) { return measured[c].count < 2.0 || simulated[c].count < 2.0; });
-    const PooledSpread m = spreadWithin(scattering, measured, channel, prior);
-    const PooledSpread s = spreadWithin(scattering, simulated, channel, prior);
-    if (m.degrees_of_freedom < 5.0 || s.degrees_of_freedom < 5.0) continue;
-    const double small = 0.02 * prior;  // quantised outputs may not scatter at all
-    const double error =
-        std::sqrt(2.0 / m.degrees_of_freedom + 2.0 / s.degrees_of_freedom + kSpreadFloor * kSpreadFloor);
-    const double z = std::log((m.variance + small) / (s.variance + small)) / error;
-    // A group stands for many cells; weigh it with the square root of their number, as their joint mean would be.
-    const double weight = std::sqrt(static_cast<double>(cells.size()) / static_cast<double>(groups.size()));
-    result += weight * groupLoss(z);
-  }
-}
-
 }  // namespace
 
 double robustLoss(double z) { return std::sqrt(1.0 + z * z) - 1.0; }
@@ -165,6 +106,32 @@ double meanError(const Replay& replay, const ReplaySample& sample, std::size_t c
 
 namespace {
 
+/// Means and spreads of the surfaces that both sides detect, which are in order of power. The noise of a mean is that
+/// of its own side: under the noise of the profile a world that is right to scatter more would pay for it in its means,
+/// the more the fewer frames of it are simulated.
+double ofValues(const Replay& replay, const ReplaySample& sample, const Comparison& comparison,
+                const std::vector<std::size_t>& surfaces, Channel channel) {
+  constexpr double kMostOfMeasured = 2.0;  // variance: no world may excuse its means by its noise
+  const double of_step = replay.resolution(channel) * replay.resolution(channel) / 12.0;
+  const double prior = priorVariance(replay, sample, channel);
+  const std::vector<GroupSpread> groups = spreadsOf(surfaces, comparison, channel, prior);
+  double result = spreadDiscrepancy(groups, prior);
+  for (const GroupSpread& group : groups) {
+    for (const std::size_t c : group.cells) {
+      const CellStatistics &m = comparison.measured[c], &s = comparison.simulated[c];
+      if (m.count == 0.0 || s.count == 0.0) continue;
+      const double of_measured = std::max(of_step, varianceIn(group.measured, m, channel, prior));
+      const double of_simulated =
+          std::clamp(varianceIn(group.simulated, s, channel, prior), of_step, kMostOfMeasured * of_measured);
+      const double error =
+          std::sqrt(of_measured / m.count + of_simulated / s.count + squaredFloor(replay, channel, s.mean(channel)) +
+                    squaredTolerance(replay, sample, c, channel, s));
+      result += robustLoss((m.mean(channel) - s.mean(channel)) / error);
+    }
+  }
+  return result;
+}
+
 /// Of one sample, but for rare echoes from nowhere.
 double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
@@ -193,10 +160,11 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
       result += static_cast<double>(replay.channels().size()) * robustLoss(lost);
       continue;
     }
+    if (surface) continue;
     for (const Channel channel : replay.channels()) {
       const double z = std::abs(m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s);
       // Two echoes that no surface makes may have nothing to do with each other: then one is lost, the other made up.
-      result += robustLoss(surface ? z : std::min(z, lost));
+      result += robustLoss(std::min(z, lost));
     }
   }
   std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
@@ -207,8 +175,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * sample.power_deviation[c] > kSureRate; });
     addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
   }
-  for (const Channel channel : replay.channels())
-    addSpread(replay, sample, surfaces, channel, measured, simulated, result);
+  for (const Channel channel : replay.channels()) result += ofValues(replay, sample, comparison, surfaces, channel);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/which/candidates.h"
+#include "gap/causes/split.h"
 #include "model/experiment.h"
 
 namespace gap {

@@ -15,9 +15,6 @@ namespace gap {
 
 namespace {
 
-constexpr int kFitFrames = 5;
-constexpr int kRefineFrames = 16;
-constexpr int kJudgeFrames = 16;
 constexpr int kNullRuns = 20;              // their spread is known to a sixth
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
@@ -25,17 +22,12 @@ constexpr std::size_t kLeaders = 6;   // candidates that are judged with all bea
 constexpr std::size_t kPolished = 3;  // of them fitted with more frames
 constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;
-constexpr std::size_t kScoutBeams = 180;   // a sample: enough to find about where a reference is
-constexpr std::size_t kAlwaysFitted = 16;  // best hypotheses of the coarse search
-constexpr double kFitShare = 0.5;          // of the best one's gain there: what gained less is not fitted further
+constexpr std::size_t kScoutBeams = 180;    // a sample: enough to find about where a reference is
+constexpr std::size_t kAlwaysFitted = 16;   // best hypotheses of the coarse search
+constexpr std::size_t kFittedOfSmall = 32;  // where the gap is small few samples hardly show any gain
+constexpr double kFitShare = 0.5;           // of the best one's gain there: what gained less is not fitted further
 constexpr double kWorthMore = 0.05;  // of the discrepancy: what gained less is tried in no further form that takes long
 constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement helps
-
-Split withRefined(Split split) {
-  split.refined = split.fitted;
-  split.refined.most_frames = kRefineFrames;
-  return split;
-}
 
 /// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
 Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
@@ -43,11 +35,11 @@ Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
 }
 
 /// Which hypotheses a coarse search leaves in the race: the best ones, and all that are not far behind.
-std::vector<bool> stillPromising(const std::vector<Scouted>& scouted) {
+std::vector<bool> stillPromising(const std::vector<Scouted>& scouted, std::size_t always) {
   std::vector<double> gains;
   for (const Scouted& one : scouted) gains.push_back(one.gain);
   std::sort(gains.begin(), gains.end(), std::greater<>());
-  const double of_last = gains.size() > kAlwaysFitted ? gains[kAlwaysFitted - 1] : -1.0;
+  const double of_last = gains.size() > always ? gains[always - 1] : -1.0;
   std::vector<bool> promising;
   for (const Scouted& one : scouted) promising.push_back(one.gain >= of_last || one.gain >= kFitShare * gains.front());
   return promising;
@@ -185,36 +177,6 @@ double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfe
 
 double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }
 
-Split splitOf(const Replay& replay, std::uint64_t seed) {
-  Split split;
-  split.fitted = {.samples = {}, .part = {}, .most_frames = kFitFrames, .seed = seed};
-  split.held_out = {.samples = {}, .part = {}, .most_frames = kJudgeFrames, .seed = seed};
-  const auto& samples = replay.samples();
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
-  }
-  if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return withRefined(split);
-  if (samples.size() < 3) return splitByBeams(replay, seed);
-  split.held_out.samples.clear();
-  split.fitted.samples.clear();
-  for (std::size_t s = 0; s < samples.size(); ++s) (s % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
-  return withRefined(split);
-}
-
-Split splitByBeams(const Replay& replay, std::uint64_t seed) {
-  Split split;
-  const bool pooled = replay.samples().front().layout->pooled();
-  split.fitted = {.samples = {}, .part = {pooled ? Half::kAll : Half::kEven}, .most_frames = kFitFrames, .seed = seed};
-  split.held_out = {
-      .samples = {}, .part = {pooled ? Half::kAll : Half::kOdd}, .most_frames = kJudgeFrames, .seed = seed};
-  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
-    split.fitted.samples.push_back(s);
-    split.held_out.samples.push_back(s);
-  }
-  split.weak = true;
-  return withRefined(split);
-}
-
 Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   Yardstick yardstick;
   const World& world = replay.baseline();
@@ -254,7 +216,8 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   for (Scouted& one : scoutAll(costly)) scouted.push_back(std::move(one));
   tried.insert(tried.end(), costly.begin(), costly.end());
 
-  const std::vector<bool> promising = stillPromising(scouted);
+  const std::vector<bool> promising =
+      stillPromising(scouted, judge.yardstick.z() < Yardstick::kClear_z ? kFittedOfSmall : kAlwaysFitted);
   std::vector<Candidate> candidates(tried.size());
   core::parallelFor(tried.size(), 1, [&](std::size_t h, std::size_t) {
     Candidate& candidate = candidates[h];

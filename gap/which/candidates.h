@@ -3,27 +3,12 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "gap/causes/fit.h"
+#include "gap/causes/split.h"
 #include "gap/where/where.h"
 
 namespace gap {
 
 class HeldOutGaps;
-
-/// Which data are fitted and which judge.
-struct Split {
-  Evidence fitted;
-  Evidence held_out;
-  Evidence refined;   ///< as fitted, with more frames: for candidates that are nearly right
-  bool weak = false;  ///< no whole sample is held out: beams of the same samples judge
-};
-
-/// Samples of role `prediction` judge, the others are fitted. Without them every third sample judges; with fewer than
-/// three samples the beams are split.
-[[nodiscard]] Split splitOf(const Replay& replay, std::uint64_t seed);
-
-/// Every second beam column of all samples judges: the weaker way, where no whole sample can.
-[[nodiscard]] Split splitByBeams(const Replay& replay, std::uint64_t seed);
 
 /// A hypothesis with its fit and what the held-out data say of it.
 struct Candidate {

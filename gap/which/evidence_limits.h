@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/which/candidates.h"
+#include "gap/causes/split.h"
 
 namespace gap {
 

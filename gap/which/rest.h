@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "gap/causes/split.h"
 #include "gap/where/where.h"
-#include "gap/which/candidates.h"
 
 namespace gap {
 

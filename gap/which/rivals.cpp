@@ -18,7 +18,7 @@ constexpr std::size_t kPairsLookedAt = 3;  // beside the best: the others were n
 
 /// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
 /// mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a second), and
-/// the choice of a form other than its usual one.
+/// the choice of a form other than its usual one, of a pair for each member.
 double choicesIn(const Candidate& candidate) {
   constexpr double kNothing = 0.01;  // of the range
   double numbers = 0.0;
@@ -27,7 +27,11 @@ double choicesIn(const Candidate& candidate) {
     numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
   }
   const double least = candidate.values.empty() ? 0.0 : 1.0;
-  return std::max(least, numbers) + (candidate.hypothesis.variant.empty() ? 0.0 : 1.0);
+  const auto inOtherForm = [](const Hypothesis& hypothesis) { return !hypothesis.variant.empty(); };
+  const auto& members = candidate.hypothesis.members;
+  const auto forms = members.empty() ? (inOtherForm(candidate.hypothesis) ? 1 : 0)
+                                     : std::count_if(members.begin(), members.end(), inOtherForm);
+  return std::max(least, numbers) + static_cast<double>(forms);
 }
 
 /// What it costs one cause to say more than another, as a square of standard deviations: twice the logarithm of a

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/causes/hypotheses.h"
+#include "gap/causes/split.h"
 #include "tests/gap/small_world.h"
 
 namespace {

@@ -1,0 +1,69 @@
+#include "gap/which/rivals.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "gap/which/significance.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+
+/// A rough wall at one range, measured with a tenth less power. At one range many causes take a tenth of the power.
+class Rivals : public testing::Test {
+ protected:
+  Rivals()
+      : measured_(world_.measuredBy(SmallWorld::modelWith({{"angular-reflection", {{"model", "oren-nayar"}, {"roughness_rad", 0.4}}}}), 0.36)),
+        replay_(measured_, SmallWorld::modelWith({})),
+        hypotheses_(gap::hypothesesFor(replay_, {"angular-reflection", "multipath", "atmospheric-attenuation"})),
+        judge_{replay_, atOneRange(), gap::yardstickOf(replay_, atOneRange().held_out)} {}
+
+  [[nodiscard]] gap::Split atOneRange() const {
+    gap::Split split = gap::splitOf(replay_, 1);
+    for (gap::Evidence* evidence : {&split.fitted, &split.refined, &split.held_out}) evidence->samples = {2};
+    return split;
+  }
+  /// Beside the roughness, both fitted.
+  [[nodiscard]] gap::Candidate pairWith(const std::string& name, const std::string& variant, double value,
+                                        double merit) const {
+    const auto find = [&](const std::string& wanted, const std::string& form) {
+      return *std::find_if(hypotheses_.begin(), hypotheses_.end(), [&](const gap::Hypothesis& h) {
+        return h.name == wanted && h.variant == form;
+      });
+    };
+    gap::Candidate pair{.hypothesis = gap::together(find("angular-reflection", "oren-nayar"), find(name, variant)),
+                        .values = {}};
+    pair.values =
+        gap::fitFrom(replay_, pair.hypothesis, judge_.split.refined, {0.4, value}, core::SilentProgress());
+    judge_.hear(pair);
+    pair.merit = merit;
+    return pair;
+  }
+  [[nodiscard]] std::string leaderOf(std::vector<gap::Candidate> pairs) const {
+    gap::leadByEffects(judge_, judge_, pairs);
+    return pairs.front().hypothesis.members[1].name;
+  }
+
+  SmallWorld world_;
+  model::Experiment measured_;
+  gap::Replay replay_;
+  std::vector<gap::Hypothesis> hypotheses_;
+  gap::Judge judge_;
+  gap::Candidate weaker_emitter_ = pairWith("/sensor/emitter/peak_power_w", "", 45.0, 1.0);
+  gap::Candidate haze_ = pairWith("atmospheric-attenuation", "", 1100.0, 0.99);
+  gap::Candidate glossy_wall_ = pairWith("multipath", "every surface", 0.1, 0.99);
+};
+
+TEST_F(Rivals, OfTwoEffectsLeadBeforeAnEffectWithARecalibration) {
+  EXPECT_EQ(leaderOf({weaker_emitter_, haze_}), "atmospheric-attenuation");
+}
+
+TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
+  // They are as near.
+  EXPECT_LT(gap::separationOnAll(judge_, judge_, weaker_emitter_, glossy_wall_, 0.03), 1.5);
+  EXPECT_EQ(leaderOf({weaker_emitter_, glossy_wall_}), "/sensor/emitter/peak_power_w");
+}
+
+}  // namespace
