@@ -10,10 +10,10 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kGroups = 6;         // of like power
-constexpr double kSpreadFloor = 0.05;      // of the logarithm of a variance
-constexpr double kMostOfUsual = 10.0;      // variance of a cell
-constexpr double kPriorDetections = 6.0;   // weight of a group's variance in a cell's
+constexpr std::size_t kGroups = 6;        // of like power
+constexpr double kSpreadFloor = 0.05;     // of the logarithm of a variance
+constexpr double kMostOfUsual = 10.0;     // variance of a cell
+constexpr double kPriorDetections = 6.0;  // weight of a group's variance in a cell's
 
 /// Of a χ² variable over its degrees of freedom (Wilson & Hilferty 1931, PNAS 17, 684): of few numbers most variances
 /// come out too small.
@@ -54,8 +54,8 @@ double priorVariance(const Replay& replay, const ReplaySample& sample, Channel c
   return noise * noise + step * step / 12.0;
 }
 
-std::vector<GroupSpread> spreadsOf(const std::vector<std::size_t>& cells, const Comparison& comparison,
-                                   Channel channel, double prior) {
+std::vector<GroupSpread> spreadsOf(const std::vector<std::size_t>& cells, const Comparison& comparison, Channel channel,
+                                   double prior) {
   std::vector<GroupSpread> groups;
   for (const auto& [begin, end] : evenParts(cells.size(), kGroups)) {
     GroupSpread group;

@@ -15,7 +15,8 @@ using test_support::SmallWorld;
 class Rivals : public testing::Test {
  protected:
   Rivals()
-      : measured_(world_.measuredBy(SmallWorld::modelWith({{"angular-reflection", {{"model", "oren-nayar"}, {"roughness_rad", 0.4}}}}), 0.36)),
+      : measured_(world_.measuredBy(
+            SmallWorld::modelWith({{"angular-reflection", {{"model", "oren-nayar"}, {"roughness_rad", 0.4}}}}), 0.36)),
         replay_(measured_, SmallWorld::modelWith({})),
         hypotheses_(gap::hypothesesFor(replay_, {"angular-reflection", "multipath", "atmospheric-attenuation"})),
         judge_{replay_, atOneRange(), gap::yardstickOf(replay_, atOneRange().held_out)} {}
@@ -29,14 +30,12 @@ class Rivals : public testing::Test {
   [[nodiscard]] gap::Candidate pairWith(const std::string& name, const std::string& variant, double value,
                                         double merit) const {
     const auto find = [&](const std::string& wanted, const std::string& form) {
-      return *std::find_if(hypotheses_.begin(), hypotheses_.end(), [&](const gap::Hypothesis& h) {
-        return h.name == wanted && h.variant == form;
-      });
+      return *std::find_if(hypotheses_.begin(), hypotheses_.end(),
+                           [&](const gap::Hypothesis& h) { return h.name == wanted && h.variant == form; });
     };
     gap::Candidate pair{.hypothesis = gap::together(find("angular-reflection", "oren-nayar"), find(name, variant)),
                         .values = {}};
-    pair.values =
-        gap::fitFrom(replay_, pair.hypothesis, judge_.split.refined, {0.4, value}, core::SilentProgress());
+    pair.values = gap::fitFrom(replay_, pair.hypothesis, judge_.split.refined, {0.4, value}, core::SilentProgress());
     judge_.hear(pair);
     pair.merit = merit;
     return pair;
