@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "core/physics.h"
 #include "gap/distance/extra_echoes.h"
@@ -21,7 +20,7 @@ constexpr double kLostCell = 20.0;    // z per channel of a surface that only on
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
-constexpr std::size_t kGroups = 6;         // groups of like power in which rates and spreads are compared
+constexpr std::size_t kGroups = 6;         // groups of like power in which rates are compared
 
 double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
   const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
