@@ -18,15 +18,8 @@ constexpr double kSureRate = 0.5;     // detections per frame: no group has cell
 constexpr double kRateFloor = 0.03;   // detections per frame and cell
 constexpr double kLostCell = 20.0;    // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
-constexpr double kPriorDetections = 6.0;   // weight of the profile's own noise in a cell's variance
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
 constexpr std::size_t kGroups = 6;         // groups of like power in which rates are compared
-
-double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
-  const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
-  return (dof_a * a.variance(channel) + dof_b * b.variance(channel) + kPriorDetections * prior) /
-         (dof_a + dof_b + kPriorDetections);
-}
 
 double squaredFloor(const Replay& replay, Channel channel, double value) {
   const double steps = kFloorSteps * replay.resolution(channel);
@@ -45,6 +38,13 @@ double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::s
   const double pulse_m = core::kMetresPerNanosecond * sensor.emitter.pulse_fwhm_ns;
   const double of_width = pulse_m * pulse_m / (2.0 * std::numbers::ln2 * std::max(0.2 * pulse_m, mean)) * of_power;
   return of_width * of_width;
+}
+
+/// Standard error of a difference of means, of which noise makes so much, with what no number of frames makes smaller.
+double errorOf(double squared_noise, const Replay& replay, const ReplaySample& sample, std::size_t cell,
+               Channel channel, const CellStatistics& simulated) {
+  return std::sqrt(squared_noise + squaredFloor(replay, channel, simulated.mean(channel)) +
+                   squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
 double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
@@ -89,18 +89,14 @@ bool takesPart(const ReplaySample& sample, const Cell& cell, Part part) {
 double comparableError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
                        const CellStatistics& measured, const CellStatistics& simulated) {
   const double variance = pooledVariance(measured, simulated, channel, priorVariance(replay, sample, channel));
-  return std::sqrt(variance / measured.count + variance / simulated.count +
-                   squaredFloor(replay, channel, simulated.mean(channel)) +
-                   squaredTolerance(replay, sample, cell, channel, simulated));
+  return errorOf(variance / measured.count + variance / simulated.count, replay, sample, cell, channel, simulated);
 }
 
 double meanError(const Replay& replay, const ReplaySample& sample, std::size_t cell, Channel channel,
                  const CellStatistics& measured, const CellStatistics& simulated) {
   const double prior = replay.resolution(channel) * replay.resolution(channel) / 12.0;
   const double variance = pooledVariance(measured, simulated, channel, prior);
-  return std::sqrt(variance / measured.count + variance / simulated.count +
-                   squaredFloor(replay, channel, simulated.mean(channel)) +
-                   squaredTolerance(replay, sample, cell, channel, simulated));
+  return errorOf(variance / measured.count + variance / simulated.count, replay, sample, cell, channel, simulated);
 }
 
 namespace {
@@ -108,9 +104,10 @@ namespace {
 /// Means and spreads of the surfaces that both sides detect, which are in order of power. The noise of a mean is that
 /// of its own side: under the noise of the profile a world that is right to scatter more would pay for it in its means,
 /// the more the fewer frames of it are simulated.
-double ofValues(const Replay& replay, const ReplaySample& sample, const Comparison& comparison,
-                const std::vector<std::size_t>& surfaces, Channel channel) {
+double ofValues(const Replay& replay, const Comparison& comparison, const std::vector<std::size_t>& surfaces,
+                Channel channel) {
   constexpr double kMostOfMeasured = 2.0;  // variance: no world may excuse its means by its noise
+  const ReplaySample& sample = replay.samples()[comparison.sample];
   const double of_step = replay.resolution(channel) * replay.resolution(channel) / 12.0;
   const double prior = priorVariance(replay, sample, channel);
   const std::vector<GroupSpread> groups = spreadsOf(surfaces, comparison, channel, prior);
@@ -122,9 +119,7 @@ double ofValues(const Replay& replay, const ReplaySample& sample, const Comparis
       const double of_measured = std::max(of_step, varianceIn(group.measured, m, channel, prior));
       const double of_simulated =
           std::clamp(varianceIn(group.simulated, s, channel, prior), of_step, kMostOfMeasured * of_measured);
-      const double error =
-          std::sqrt(of_measured / m.count + of_simulated / s.count + squaredFloor(replay, channel, s.mean(channel)) +
-                    squaredTolerance(replay, sample, c, channel, s));
+      const double error = errorOf(of_measured / m.count + of_simulated / s.count, replay, sample, c, channel, s);
       result += robustLoss((m.mean(channel) - s.mean(channel)) / error);
     }
   }
@@ -174,7 +169,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * sample.power_deviation[c] > kSureRate; });
     addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
   }
-  for (const Channel channel : replay.channels()) result += ofValues(replay, sample, comparison, surfaces, channel);
+  for (const Channel channel : replay.channels()) result += ofValues(replay, comparison, surfaces, channel);
   return result;
 }
 

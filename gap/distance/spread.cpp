@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kGroups = 6;        // of like power
 constexpr double kSpreadFloor = 0.05;     // of the logarithm of a variance
 constexpr double kMostOfUsual = 10.0;     // variance of a cell
-constexpr double kPriorDetections = 6.0;  // weight of a group's variance in a cell's
+constexpr double kPriorDetections = 6.0;  // weight of what is usual in a cell's variance
 
 /// Of a χ² variable over its degrees of freedom (Wilson & Hilferty 1931, PNAS 17, 684): of few numbers most variances
 /// come out too small.
@@ -86,6 +86,12 @@ double spreadDiscrepancy(const std::vector<GroupSpread>& groups, double prior) {
     result += weight * groupLoss(std::log((m.variance + small) / (s.variance + small)) / error);
   }
   return result;
+}
+
+double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior) {
+  const double dof_a = std::max(0.0, a.count - 1.0), dof_b = std::max(0.0, b.count - 1.0);
+  return (dof_a * a.variance(channel) + dof_b * b.variance(channel) + kPriorDetections * prior) /
+         (dof_a + dof_b + kPriorDetections);
 }
 
 double varianceIn(const PooledSpread& group, const CellStatistics& cell, Channel channel, double prior) {

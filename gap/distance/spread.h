@@ -35,6 +35,9 @@ struct GroupSpread {
 /// How far the spreads of both sides are apart, as a part of `discrepancy`.
 [[nodiscard]] double spreadDiscrepancy(const std::vector<GroupSpread>& groups, double prior);
 
+/// Variance of one detection of a cell on both sides together, and of `prior` as if there were six more of them.
+[[nodiscard]] double pooledVariance(const CellStatistics& a, const CellStatistics& b, Channel channel, double prior);
+
 /// Variance of one detection of a cell: of its own detections, and of its group's as if there were six more of them;
 /// nothing of the cell where its group tells nothing: then `prior` stands for the group.
 [[nodiscard]] double varianceIn(const PooledSpread& group, const CellStatistics& cell, Channel channel, double prior);

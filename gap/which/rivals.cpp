@@ -27,10 +27,9 @@ double choicesIn(const Candidate& candidate) {
     numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
   }
   const double least = candidate.values.empty() ? 0.0 : 1.0;
-  const auto inOtherForm = [](const Hypothesis& hypothesis) { return !hypothesis.variant.empty(); };
-  const auto& members = candidate.hypothesis.members;
-  const auto forms = members.empty() ? (inOtherForm(candidate.hypothesis) ? 1 : 0)
-                                     : std::count_if(members.begin(), members.end(), inOtherForm);
+  const std::vector<Candidate> members = membersOf(candidate);
+  const auto forms =
+      std::count_if(members.begin(), members.end(), [](const Candidate& c) { return !c.hypothesis.variant.empty(); });
   return std::max(least, numbers) + static_cast<double>(forms);
 }
 
