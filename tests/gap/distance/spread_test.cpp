@@ -10,11 +10,11 @@ namespace {
 
 using test_support::SmallWorld;
 
-/// Detections at `mean_m` ± `deviation_m`, as many above as below.
-gap::CellStatistics scattering(double deviation_m, int pairs, double mean_m = 0.0) {
+/// Detections at ± `deviation_m`, as many above as below.
+gap::CellStatistics scattering(double deviation_m, int pairs) {
   gap::CellStatistics cell;
   for (int i = 0; i < pairs; ++i) {
-    for (const double value : {mean_m - deviation_m, mean_m + deviation_m}) {
+    for (const double value : {-deviation_m, deviation_m}) {
       cell.count += 1.0;
       cell.sum[gap::kRange] += value;
       cell.sum_of_squares[gap::kRange] += value * value;
