@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlopt.h>
 
+#include "gap/causes/scale.h"
 #include "gap/distance/settle.h"
 
 namespace gap {
@@ -28,40 +29,6 @@ constexpr double kFirstStep_deg = 1.5;
 constexpr double kReach = 0.12;      // of the scaled range, to both sides of the coarse optimum
 constexpr double kFineReach = 0.04;  // of values that are nearly right
 constexpr double kFineStep = 0.02;
-
-/// Ends of a sector: they may lie anywhere, and nothing is special about zero.
-bool isAzimuth(const FreeParameter& p) { return p.name.starts_with("azimuth_"); }
-
-/// Maps a parameter to [0, 1]: logarithmic, linear, or (where the value at which an effect is absent lies inside or at
-/// an end of the range) fine around that.
-class Scale {
- public:
-  explicit Scale(const FreeParameter& p)
-      : p_(p), fine_(0.01 * std::max(std::abs(p.high - p.absent_at), std::abs(p.low - p.absent_at))) {}
-
-  [[nodiscard]] double toUnit(double value) const {
-    value = std::clamp(value, p_.low, p_.high);
-    return (bend(value) - bend(p_.low)) / (bend(p_.high) - bend(p_.low));
-  }
-  [[nodiscard]] double toValue(double unit) const {
-    const double bent = bend(p_.low) + std::clamp(unit, 0.0, 1.0) * (bend(p_.high) - bend(p_.low));
-    const double value = std::clamp(unbend(bent), p_.low, p_.high);
-    return p_.whole ? std::round(value) : value;
-  }
-
- private:
-  [[nodiscard]] bool mayBeAbsent() const { return p_.low <= p_.absent_at && p_.high >= p_.absent_at && !isAzimuth(p_); }
-  [[nodiscard]] double bend(double value) const {
-    if (p_.logarithmic) return std::log(value);
-    return mayBeAbsent() ? std::asinh((value - p_.absent_at) / fine_) : value;
-  }
-  [[nodiscard]] double unbend(double bent) const {
-    if (p_.logarithmic) return std::exp(bent);
-    return mayBeAbsent() ? p_.absent_at + fine_ * std::sinh(bent) : bent;
-  }
-  FreeParameter p_;
-  double fine_;  ///< distance from where it is absent up to which steps are even
-};
 
 /// n-th element of the van der Corput sequence in a base: together a Halton sequence, even and deterministic.
 double vanDerCorput(unsigned n, unsigned base) {
@@ -93,20 +60,14 @@ class Objective {
  public:
   Objective(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
             const core::Progress& progress)
-      : replay_(replay), hypothesis_(hypothesis), evidence_(evidence), progress_(progress) {
-    for (const FreeParameter& parameter : hypothesis.parameters) scales_.emplace_back(parameter);
-  }
+      : replay_(replay),
+        hypothesis_(hypothesis),
+        evidence_(evidence),
+        progress_(progress),
+        cube_(hypothesis.parameters) {}
 
-  [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < unit.size(); ++i) values.push_back(scales_[i].toValue(unit[i]));
-    return inOrder(hypothesis_.parameters, std::move(values));
-  }
-  [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const {
-    std::vector<double> unit;
-    for (std::size_t i = 0; i < values.size(); ++i) unit.push_back(scales_[i].toUnit(values[i]));
-    return unit;
-  }
+  [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const { return cube_.valuesAt(unit); }
+  [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const { return cube_.unitOf(values); }
   [[nodiscard]] double operator()(const std::vector<double>& unit) const {
     core::stopIfCancelled(progress_);
     return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_);
@@ -119,14 +80,14 @@ class Objective {
     }
     return steps;
   }
-  [[nodiscard]] std::size_t dimensions() const { return scales_.size(); }
+  [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
 
  private:
   const Replay& replay_;
   const Hypothesis& hypothesis_;
   Evidence evidence_;
   const core::Progress& progress_;
-  std::vector<Scale> scales_;
+  UnitCube cube_;
 };
 
 /// A few samples are enough to find the neighbourhood.
@@ -422,14 +383,11 @@ double resolvedAt(const FreeParameter& parameter, double value) {
 }
 
 std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis) {
-  std::vector<Scale> scales;
-  for (const FreeParameter& parameter : hypothesis.parameters) scales.emplace_back(parameter);
-  if (scales.empty()) return {};
-  std::vector<std::vector<double>> points =
-      coarsePoints(scales.size(), scales.size() == 1 ? kPlacesOfOne : kPlacesOfSeveral);
-  for (auto& point : points) {
-    for (std::size_t d = 0; d < scales.size(); ++d) point[d] = scales[d].toValue(point[d]);
-  }
+  const std::size_t dimensions = hypothesis.parameters.size();
+  if (dimensions == 0) return {};
+  const UnitCube cube(hypothesis.parameters);
+  std::vector<std::vector<double>> points = coarsePoints(dimensions, dimensions == 1 ? kPlacesOfOne : kPlacesOfSeveral);
+  for (auto& point : points) point = cube.valuesAt(point);
   return points;
 }
 

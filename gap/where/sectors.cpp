@@ -10,7 +10,7 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kMostSectors = 3;
+constexpr std::size_t kMostSectors = 3;  // of each kind
 constexpr std::size_t kMostBins = 240;   // of azimuth: all pairs of them are looked at
 constexpr double kMostDeviation = 10.0;  // errors: no residual counts more
 constexpr double kLeastGain = 25.0;      // squared errors: such a sector is not there by chance
@@ -61,13 +61,18 @@ Sector between(const std::vector<Bin>& bins, std::size_t begin, std::size_t end)
   return {borderBefore(begin), borderBefore(end)};
 }
 
-TwoMeans bestSplit(const std::vector<Bin>& bins) {
+/// The best sectors that deviate more than the rest does, and less.
+struct BestSplits {
+  TwoMeans more, less;
+};
+
+BestSplits bestSplits(const std::vector<Bin>& bins) {
   double sum = 0.0, count = 0.0;
   for (const Bin& bin : bins) {
     sum += bin.sum;
     count += bin.count;
   }
-  TwoMeans best;
+  BestSplits best;
   for (std::size_t begin = 0; begin < bins.size(); ++begin) {
     double inside = 0.0, count_inside = 0.0;
     for (std::size_t end = begin + 1; end <= bins.size() && end - begin < bins.size(); ++end) {
@@ -76,27 +81,35 @@ TwoMeans bestSplit(const std::vector<Bin>& bins) {
       const double outside = sum - inside, count_outside = count - count_inside;
       const double gain = inside * inside / count_inside + outside * outside / count_outside - sum * sum / count;
       const bool deviates = std::abs(inside) / count_inside > std::abs(outside) / count_outside;
-      if (deviates && gain > best.gain) best = {between(bins, begin, end), gain};
+      TwoMeans& known = deviates ? best.more : best.less;
+      if (gain > known.gain) known = {between(bins, begin, end), gain};
     }
   }
   return best;
+}
+
+std::vector<Sector> bestOf(std::vector<TwoMeans> splits) {
+  std::stable_sort(splits.begin(), splits.end(), [](const TwoMeans& a, const TwoMeans& b) { return a.gain > b.gain; });
+  if (splits.size() > kMostSectors) splits.resize(kMostSectors);
+  std::vector<Sector> sectors;
+  for (const TwoMeans& split : splits) sectors.push_back(split.sector);
+  return sectors;
 }
 
 }  // namespace
 
 std::vector<Sector> sectorsIn(const Replay& replay, const std::vector<ResidualTable>& tables) {
   if (replay.samples().front().layout->pooled()) return {};  // nobody knows where its detections are
-  std::vector<TwoMeans> splits;
+  std::vector<TwoMeans> more, less;
   for (const ResidualTable& table : tables) {
     const std::vector<Bin> bins = binsOf(replay, table);
     if (bins.size() < 2) continue;
-    const TwoMeans split = bestSplit(bins);
-    if (split.gain > kLeastGain) splits.push_back(split);
+    const BestSplits best = bestSplits(bins);
+    if (best.more.gain > kLeastGain) more.push_back(best.more);
+    if (best.less.gain > std::max(kLeastGain, best.more.gain)) less.push_back(best.less);
   }
-  std::stable_sort(splits.begin(), splits.end(), [](const TwoMeans& a, const TwoMeans& b) { return a.gain > b.gain; });
-  if (splits.size() > kMostSectors) splits.resize(kMostSectors);
-  std::vector<Sector> sectors;
-  for (const TwoMeans& split : splits) sectors.push_back(split.sector);
+  std::vector<Sector> sectors = bestOf(std::move(more));
+  for (const Sector& sector : bestOf(std::move(less))) sectors.push_back(sector);
   return sectors;
 }
 

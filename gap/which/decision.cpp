@@ -90,12 +90,14 @@ double noiseOfShare(const Yardstick& yardstick) {
 }
 
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
-/// and that must be more than noise, or show where all data are pooled.
+/// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
+/// all data are pooled.
 bool roomForASecond(const Judge& judge, const Candidate& best) {
   const LeftOver left = leftBy(best);
+  const double rest = restOf(judge, best);
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
-  return material && (left.total > kPooledRest || left.discrepancy > 3.0 * noiseOfShare(judge.yardstick) ||
-                      restOf(judge, best) > kNoRest);
+  return rest > Yardstick::kClear_z || (material && (rest > kNoRest || left.total > kPooledRest ||
+                                                     left.discrepancy > 3.0 * noiseOfShare(judge.yardstick)));
 }
 
 /// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of

@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "gap/causes/starts.h"
+#include "gap/which/signature_fit.h"
 #include "gap/which/signatures.h"
 
 namespace gap {
@@ -19,16 +20,25 @@ namespace {
 
 constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
-constexpr std::size_t kSumsFitted = 6;                                    // nearest sums of two signatures
-constexpr std::size_t kPartnersTried = 12;                                // nearest partners of a cause, alone,
-constexpr std::size_t kPartnersFitted = 4;                                // and then the nearest together with it
-constexpr std::size_t kPartnered = 2;                                     // single causes that partners are looked for
-constexpr double kRecalibrations[] = {0.6, 0.75, 0.87, 1.15, 1.35, 1.7};  // of the recorded emitter power
+constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
+constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
+constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
+constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
+constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
+constexpr double kRecalibrations[] = {1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.2};  // of what is recorded of a parameter
+constexpr int kPartsOfAStep = 4;
+constexpr double kMostErrors = 100.0;  // of a shift
 constexpr int kExchanges = 2;
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 constexpr std::size_t kScoutBeams = 120;
 constexpr std::size_t kLookedAt = 16;      // causes whose sums come nearest, and as many that are best alone
 constexpr std::size_t kAtomsOfACause = 3;  // whose sums come nearest, of causes that are not best alone
+
+/// Of shifts, as much as counts in a distance.
+Eigen::MatrixXf near(const Eigen::MatrixXf& shifts) {
+  constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
+  return shifts.cwiseMax(-kFar).cwiseMin(kFar);
+}
 
 /// A cause at certain values.
 struct Atom {
@@ -49,7 +59,7 @@ class PairSearch {
       : judge_(judge),
         scout_(judge.replay.thinner(kScoutBeams)),
         scouted_(spreadOver(judge.split.fitted, kScoutSamples, kScoutFrames)),
-        space_(scout_, scouted_.samples, kScoutFrames, scouted_.seed),
+        space_(scout_, scouted_.samples, kScoutFrames, scouted_.seed, kMostErrors),
         singles_(singles),
         progress_(progress) {
     lookAtAtoms();
@@ -64,8 +74,8 @@ class PairSearch {
       partnered.push_back(name);
       append(guesses, partnersOf(i, singles_[i].values));
     }
-    append(guesses, nearestSums());  // of one pair the first guess is taken: these are the coarsest
-    append(guesses, besideRecalibration());
+    append(guesses, lookedAt(nearestSums()));
+    append(guesses, lookedAt(besideRecalibration()));
     fit(std::move(guesses));
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
@@ -110,12 +120,13 @@ class PairSearch {
       for (auto& values : valuesAllOver(hypothesis)) atoms_.push_back({i, std::move(values)});
       append(atoms_, suggestedFor(i, where));
     }
-    signatures_.resize(static_cast<Eigen::Index>(space_.size()), static_cast<Eigen::Index>(atoms_.size()));
+    whole_.resize(static_cast<Eigen::Index>(space_.size()), static_cast<Eigen::Index>(atoms_.size()));
     core::parallelFor(atoms_.size(), 1, [&](std::size_t a, std::size_t) {
       core::stopIfCancelled(progress_);
       const World world = worldOf(scout_, singles_[atoms_[a].single].hypothesis, atoms_[a].values);
-      signatures_.col(static_cast<Eigen::Index>(a)) = columnOf(space_.of(world));
+      whole_.col(static_cast<Eigen::Index>(a)) = columnOf(space_.of(world));
     });
+    signatures_ = near(whole_);
   }
   [[nodiscard]] std::vector<Atom> suggestedFor(std::size_t single, const WhereResult& where) const {
     std::vector<Atom> atoms;
@@ -130,7 +141,7 @@ class PairSearch {
   /// Pairs of causes by the distance of their summed signatures from the measurement.
   [[nodiscard]] std::vector<Guess> nearestSums() const {
     const Eigen::MatrixXf products = signatures_.transpose() * signatures_;
-    const Eigen::VectorXf along = signatures_.transpose() * columnOf(space_.ofMeasurement());
+    const Eigen::VectorXf along = signatures_.transpose() * near(columnOf(space_.ofMeasurement()));
     std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
     for (std::size_t a = 0; a < atoms_.size(); ++a) {
       for (std::size_t b = a + 1; b < atoms_.size(); ++b) {
@@ -151,7 +162,7 @@ class PairSearch {
   /// Of the causes that, added to what this one does, come nearest to the measurement the nearest atoms; and all of
   /// those that are best alone: echoes from nowhere are in no signature.
   [[nodiscard]] std::vector<Atom> likelyBeside(std::size_t first, const World& world) const {
-    const Eigen::VectorXf left = columnOf(space_.ofMeasurement()) - columnOf(space_.of(world));
+    const Eigen::VectorXf left = near(columnOf(space_.ofMeasurement())) - near(columnOf(space_.of(world)));
     const Eigen::VectorXf distances = (signatures_.colwise() - left).colwise().squaredNorm();
     std::vector<std::size_t> order;
     for (std::size_t a = 0; a < atoms_.size(); ++a)
@@ -229,25 +240,102 @@ class PairSearch {
     return guesses;
   }
 
-  /// What goes best with another emitter power: whoever calibrated the model to its means has hidden the cause in it,
-  /// and no single hypothesis may look better than none.
+  /// What goes best with another value of a parameter: whoever calibrated the model to its means has hidden the cause
+  /// in it, and no single hypothesis may look better than none. An effect of thirty per cent leaves a few behind a
+  /// parameter that is right within one, so signatures are summed at many values, and the parameter is fitted to each
+  /// of the nearest.
   [[nodiscard]] std::vector<Guess> besideRecalibration() const {
+    std::vector<std::size_t> parameters;
+    for (std::size_t i = 0; i < singles_.size(); ++i)
+      if (singles_[i].hypothesis.kind == CauseKind::kParameter) parameters.push_back(i);
+    std::vector<std::vector<Guess>> beside(parameters.size());
+    core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) { beside[p] = hiddenBy(parameters[p]); });
     std::vector<Guess> guesses;
-    for (std::size_t i = 0; i < singles_.size(); ++i) {
-      const Hypothesis& hypothesis = singles_[i].hypothesis;
-      if (hypothesis.kind != CauseKind::kParameter || !hypothesis.name.ends_with("/peak_power_w")) continue;
-      for (const double factor : kRecalibrations) {
-        const std::vector<double> values{hypothesis.parameters[0].start * factor};
-        append(guesses, nearestPartners(i, values, likelyBeside(i, worldOf(scout_, hypothesis, values))));
+    for (auto& some : beside) append(guesses, std::move(some));
+    return nearestOf(nearestOfEachFirst(std::move(guesses)), kHiddenFitted);
+  }
+
+  /// Of every effect the place and the value of the parameter whose shifts together come nearest to the measurement.
+  [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const {
+    const Eigen::VectorXf measured = columnOf(space_.ofMeasurement());
+    std::map<std::size_t, Guess> nearest;
+    for (const auto& [value, shifts] : stepsOf(parameter)) {
+      core::stopIfCancelled(progress_);
+      const Eigen::VectorXf left = measured - shifts;
+      for (std::size_t a = 0; a < atoms_.size(); ++a) {
+        if (singles_[atoms_[a].single].hypothesis.kind != CauseKind::kEffect) continue;
+        const double distance = near(left - whole_.col(static_cast<Eigen::Index>(a))).squaredNorm();
+        const auto [known, added] = nearest.try_emplace(atoms_[a].single);
+        if (!added && distance >= known->second.distance) continue;
+        known->second = {atoms_[a].single, parameter, joined(atoms_[a].values, {value}), distance};
       }
     }
-    return nearestOf(std::move(guesses), kPartnersFitted);
+    std::vector<Guess> guesses;
+    for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+    return guesses;
+  }
+
+  /// Values of a parameter to both sides of what is recorded, and what they do: some by simulation, those between them
+  /// by interpolation.
+  [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXf>> stepsOf(std::size_t parameter) const {
+    const Hypothesis& hypothesis = singles_[parameter].hypothesis;
+    const FreeParameter& p = hypothesis.parameters[0];
+    std::vector<std::pair<double, Eigen::VectorXf>> steps;
+    for (const bool up : {false, true}) {
+      double last = p.start;
+      Eigen::VectorXf before = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(space_.size()));
+      for (const double factor : kRecalibrations) {
+        const double value = std::clamp(up ? p.start * factor : p.start / factor, p.low, p.high);
+        if (value == last) break;
+        const Eigen::VectorXf shifts = columnOf(space_.of(worldOf(scout_, hypothesis, {value})));
+        for (int part = 1; part <= kPartsOfAStep; ++part) {
+          const float share = static_cast<float>(part) / kPartsOfAStep;
+          steps.emplace_back(last + static_cast<double>(share) * (value - last), before + share * (shifts - before));
+        }
+        last = value;
+        before = shifts;
+      }
+    }
+    return steps;
   }
 
   [[nodiscard]] static std::vector<Guess> nearestOf(std::vector<Guess> guesses, std::size_t count) {
     std::stable_sort(guesses.begin(), guesses.end(),
                      [](const Guess& a, const Guess& b) { return a.distance < b.distance; });
     if (guesses.size() > count) guesses.erase(guesses.begin() + static_cast<std::ptrdiff_t>(count), guesses.end());
+    return guesses;
+  }
+
+  /// Guesses that came from signatures, with their distances from the data.
+  [[nodiscard]] std::vector<Guess> lookedAt(std::vector<Guess> guesses) const {
+    core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+      Guess& guess = guesses[g];
+      guess.distance = discrepancyOf(scout_, worldOf(scout_, hypothesisOf(guess), guess.values), scouted_);
+    });
+    return guesses;
+  }
+  [[nodiscard]] Hypothesis hypothesisOf(const Guess& guess) const {
+    return together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
+  }
+
+  /// The guesses with both causes' numbers where their signatures fit best, nearest first.
+  [[nodiscard]] std::vector<Guess> improved(std::vector<Guess> guesses) const {
+    core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+      Guess& guess = guesses[g];
+      const Hypothesis both = hypothesisOf(guess);
+      if (tracesAnew(both, guess.values)) return;
+      const std::vector<double> fitted = signatureFitFrom(scout_, space_, both, guess.values, progress_);
+      const double distance = discrepancyOf(scout_, worldOf(scout_, both, fitted), scouted_);
+      if (distance < guess.distance) guess = {guess.first, guess.second, fitted, distance};
+    });
+    return nearestOf(std::move(guesses), guesses.size());
+  }
+
+  /// With every first cause the nearest guess.
+  [[nodiscard]] static std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses) {
+    std::set<std::size_t> taken;
+    guesses = nearestOf(std::move(guesses), guesses.size());
+    std::erase_if(guesses, [&](const Guess& guess) { return !taken.insert(guess.first).second; });
     return guesses;
   }
 
@@ -259,6 +347,7 @@ class PairSearch {
 
   /// Joint fits of the guesses that are new; `pairs_` stays in order of merit.
   void fit(std::vector<Guess> guesses) {
+    guesses = improved(std::move(guesses));
     std::set<std::pair<std::size_t, std::size_t>> taken;
     std::erase_if(guesses, [&](const Guess& guess) {
       return known(guess) || !taken.insert(std::minmax(guess.first, guess.second)).second;
@@ -271,7 +360,7 @@ class PairSearch {
       Candidate& candidate = fitted[g].candidate;
       fitted[g].first = guess.first;
       fitted[g].second = guess.second;
-      candidate.hypothesis = together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
+      candidate.hypothesis = hypothesisOf(guess);
       candidate.values = roughFitFrom(judge_.replay, candidate.hypothesis, evidence, guess.values, progress_);
       const World world = worldOf(judge_.replay, candidate.hypothesis, candidate.values);
       fitted[g].discrepancy = discrepancyOf(judge_.replay, world, evidence);
@@ -296,7 +385,7 @@ class PairSearch {
   const Evidence scouted_;
   const SignatureSpace space_;
   std::vector<Atom> atoms_;
-  Eigen::MatrixXf signatures_;  ///< of the atoms, a column each
+  Eigen::MatrixXf whole_, signatures_;  ///< of the atoms, a column each: as they are, and as far as they count
   const std::vector<Candidate>& singles_;
   core::Progress& progress_;
   std::vector<Fitted> pairs_;

@@ -15,7 +15,6 @@ constexpr std::size_t kGroups = 6;        // of like power, for rates and spread
 constexpr double kRateError = 0.05;       // detections per frame and cell
 constexpr double kGroupRateError = 0.006;
 constexpr double kSpreadError = 0.07;  // of the logarithm of a variance
-constexpr double kFar = 10.0;          // errors: what is farther counts no more
 
 /// Of a mean over `cells`, if about a tenth of the detections is lost.
 double rateError(double floor, double cells, int measured_frames, int simulated_frames) {
@@ -46,8 +45,9 @@ std::vector<std::size_t> everyNth(std::vector<std::size_t> list, std::size_t n) 
 
 }  // namespace
 
-SignatureSpace::SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed)
-    : replay_(replay), frames_(frames), seed_(seed), samples_(std::move(samples)) {
+SignatureSpace::SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed,
+                               double most_errors)
+    : replay_(replay), frames_(frames), seed_(seed), most_errors_(most_errors), samples_(std::move(samples)) {
   std::size_t all = 0;
   for (const std::size_t s : samples_) all += replay.samples()[s].layout->surfaces();
   const std::size_t stride = std::max<std::size_t>(1, all / kMostCells);
@@ -78,7 +78,7 @@ Signature SignatureSpace::shifts(std::size_t part, const std::vector<CellStatist
   const auto& cells = cells_[part];
   Signature signature;
   const auto put = [&](double shift_in_errors) {
-    signature.push_back(static_cast<float>(std::clamp(shift_in_errors, -kFar, kFar)));
+    signature.push_back(static_cast<float>(std::clamp(shift_in_errors, -most_errors_, most_errors_)));
   };
   for (const std::size_t c : cells) {
     const CellStatistics &a = of[c], &b = from[c], &scale = baseline_[part][c];

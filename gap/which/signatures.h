@@ -14,10 +14,14 @@ namespace gap {
 using Signature = std::vector<float>;
 
 /// The cells and scales in which signatures are taken: a few samples, a thousand cells, errors that the measurement and
-/// the baseline have. Shifts of more than ten errors count as ten.
+/// the baseline have. A shift of more than `most_errors` counts as that: ten, or more where large shifts of two causes
+/// are to leave next to nothing together.
 class SignatureSpace {
  public:
-  SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed);
+  static constexpr double kFar = 10.0;
+
+  SignatureSpace(const Replay& replay, std::vector<std::size_t> samples, int frames, std::uint64_t seed,
+                 double most_errors = kFar);
 
   [[nodiscard]] std::size_t size() const noexcept { return measured_.size(); }
   /// Measured less baseline, the reference settled within its tolerance.
@@ -32,6 +36,7 @@ class SignatureSpace {
   const Replay& replay_;
   int frames_;
   std::uint64_t seed_;
+  double most_errors_;
   std::vector<std::size_t> samples_;
   std::vector<std::vector<CellStatistics>> baseline_;  ///< of each sample
   std::vector<std::vector<std::size_t>> cells_;        ///< taken of each sample, surfaces in order of power

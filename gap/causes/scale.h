@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "gap/causes/hypotheses.h"
+
+namespace gap {
+
+/// Maps a parameter to [0, 1]: logarithmic, linear, or (where the value at which an effect is absent lies inside or at
+/// an end of the range) fine around that.
+class Scale {
+ public:
+  explicit Scale(const FreeParameter& parameter);
+
+  [[nodiscard]] double toUnit(double value) const;
+  [[nodiscard]] double toValue(double unit) const;
+
+ private:
+  [[nodiscard]] bool mayBeAbsent() const;
+  [[nodiscard]] double bend(double value) const;
+  [[nodiscard]] double unbend(double bent) const;
+
+  FreeParameter p_;
+  double fine_;  ///< distance from where it is absent up to which steps are even
+};
+
+/// Whether a parameter is an end of a sector: it may lie anywhere, and nothing is special about zero.
+[[nodiscard]] bool isAzimuth(const FreeParameter& parameter);
+
+/// All free numbers of a hypothesis, each mapped to [0, 1].
+class UnitCube {
+ public:
+  explicit UnitCube(std::vector<FreeParameter> parameters);
+
+  /// The ends of a sector in order.
+  [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const;
+  [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const;
+  [[nodiscard]] const std::vector<FreeParameter>& parameters() const noexcept { return parameters_; }
+
+ private:
+  std::vector<FreeParameter> parameters_;
+  std::vector<Scale> scales_;
+};
+
+}  // namespace gap
