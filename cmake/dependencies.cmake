@@ -15,6 +15,7 @@ find_package(SQLiteCpp REQUIRED)
 find_package(assimp REQUIRED)
 find_package(Protobuf REQUIRED)
 find_package(nanoflann REQUIRED)
+find_package(mimalloc REQUIRED)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(clp REQUIRED IMPORTED_TARGET clp)  # EPL, linked and not changed
 pkg_check_modules(xlsxwriter REQUIRED IMPORTED_TARGET xlsxwriter)

@@ -39,6 +39,14 @@ function(house_room library)
   target_sources(${library} PUBLIC FILE_SET HEADERS FILES ${arg_HEADERS})
 endfunction()
 
+# house_program(PROGRAM): takes its memory from mimalloc, which gives back what is freed. The GNU C library keeps it where
+# small blocks stay between large ones: 2.4 GB of a diagnosis that needs a fifth of that. Sanitizers bring an allocator.
+function(house_program program)
+  if(NOT FIDELIS_SANITIZE)
+    target_link_libraries(${program} PRIVATE mimalloc)
+  endif()
+endfunction()
+
 # house_test(NAME SOURCES a_test.cpp … LINK targets …): one GoogleTest program per folder.
 function(house_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")

@@ -10,7 +10,6 @@
 #include "app/cli/terminal.h"
 #include "core/error.h"
 #include "core/json_object.h"
-#include "core/memory.h"
 #include "core/parallel.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -103,7 +102,4 @@ int run(int count, char** words) {
 }  // namespace
 }  // namespace app
 
-int main(int count, char** words) {
-  core::returnLargeBlocks();
-  return app::run(count, words);
-}
+int main(int count, char** words) { return app::run(count, words); }

@@ -13,7 +13,6 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/screenshots.h"
 #include "core/error.h"
-#include "core/memory.h"
 #include "core/version.h"
 
 namespace {
@@ -47,7 +46,6 @@ class Application final : public QApplication {
 }  // namespace
 
 int main(int argc, char** argv) {
-  core::returnLargeBlocks();
   drawWithoutScreenIfAsked(argc, argv);
   Application application(argc, argv);
   QApplication::setApplicationName("Fidelis");

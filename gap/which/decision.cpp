@@ -94,10 +94,9 @@ double noiseOfShare(const Yardstick& yardstick) {
 /// all data are pooled.
 bool roomForASecond(const Judge& judge, const Candidate& best) {
   const LeftOver left = leftBy(best);
-  const double rest = restOf(judge, best);
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
-  return rest > Yardstick::kClear_z || (material && (rest > kNoRest || left.total > kPooledRest ||
-                                                     left.discrepancy > 3.0 * noiseOfShare(judge.yardstick)));
+  if (material && (left.total > kPooledRest || left.discrepancy > 3.0 * noiseOfShare(judge.yardstick))) return true;
+  return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
 }
 
 /// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
@@ -13,10 +14,13 @@ namespace gap {
 namespace {
 
 constexpr int kMostLooks = 60;    // at a world
-constexpr double kStep = 0.01;    // of the scaled range, to see which way the shifts go
+constexpr double kStep = 0.02;    // of the scaled range, to see which way the shifts go
 constexpr double kEnough = 1e-3;  // of the sum of squares: gains less
 constexpr double kClose = 1e-3;   // of the scaled range
 constexpr double kFirstTrust = 0.1;
+
+/// Far shifts count less, but never nothing: that would show no way back.
+double asItCounts(double errors) { return SignatureSpace::kFar * std::asinh(errors / SignatureSpace::kFar); }
 
 /// What a world's shifts leave of those of the measurement, over the numbers that are searched, each in [0, 1]. All of
 /// them are moved up by one: the library takes differences over steps in proportion to them.
@@ -50,11 +54,10 @@ struct Shifts {
   }
   int operator()(const Eigen::VectorXd& moved, Eigen::VectorXd& left) const {
     core::stopIfCancelled(progress);
-    constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
     const Signature made = space.of(worldOf(replay, hypothesis, valuesAt(moved)));
     const Signature& wanted = space.ofMeasurement();
     for (std::size_t i = 0; i < made.size(); ++i)
-      left[static_cast<Eigen::Index>(i)] = static_cast<double>(std::clamp(wanted[i] - made[i], -kFar, kFar));
+      left[static_cast<Eigen::Index>(i)] = asItCounts(static_cast<double>(wanted[i] - made[i]));
     return 0;
   }
 };

@@ -126,6 +126,31 @@ TEST(Diagnose, FindsAnEffectThatARecalibratedEmitterHides) {
   EXPECT_EQ(report["verdict"]["beside"][0], report["causes"][1]["name"]) << "its value and interval are told, too";
 }
 
+// A cover that takes 3 % of the light, behind a power that is 2 % too low: both must be right within a per cent, or the
+// pair is farther from the data than the model as it was brought.
+TEST(Diagnose, FindsAnEffectThatACalibrationHidesButForAPerCent) {
+  const SmallWorld world;
+  const SmallWorld::Effects dirt = {
+      {"cover-contamination", {{"attenuation", 0.03}, {"azimuth_from_deg", -9.0}, {"azimuth_to_deg", 5.0}}}};
+  const gap::Diagnosis diagnosis =
+      diagnosed(world.measuredBy(SmallWorld::modelWith(dirt), 0.4),
+                SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 49}}),
+                {"cover-contamination", "blooming", "exhaust-cloud", "angular-reflection"});
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"cover-contamination"});
+  ASSERT_FALSE(diagnosis.causes.empty());
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.03, 0.004);
+}
+
+// Fog explains all but a thousandth of the gap; what it leaves, an offset of all ranges, is far more than noise.
+TEST(Diagnose, FindsASecondCauseThatIsAThousandthOfTheGap) {
+  const SmallWorld world;
+  const SmallWorld::Effects both = {{"atmospheric-attenuation", {{"visibility_m", 200}}},
+                                    {"range-offset", {{"offset_m", 0.004}}}};
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(SmallWorld::modelWith(both), 0.4),
+                                             SmallWorld::modelWith({}), {"atmospheric-attenuation", "range-offset"});
+  EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("atmospheric-attenuation", "range-offset"));
+}
+
 TEST(Diagnose, SaysParameterWhereTheEchoPulseWidthScattersMoreThanItsProfile) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.09}});

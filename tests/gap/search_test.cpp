@@ -82,6 +82,19 @@ TEST_F(Search, SeesToABeamWhereASectorEnds) {
   EXPECT_NEAR(sectors[0].to_deg, 4.4, 0.6);
 }
 
+// Someone raised the power until the mean agreed: inside the sector less is wrong now than outside.
+TEST_F(Search, SeesASectorThatDiffersLessThanItsSurroundings) {
+  const SmallWorld::Effects dirt = {
+      {"cover-contamination", {{"attenuation", 0.05}, {"azimuth_from_deg", -8.4}, {"azimuth_to_deg", 4.4}}}};
+  const auto truth = SmallWorld::modelWith(dirt, {{"/sensor/emitter/peak_power_w", 53}});
+  const auto measured = world_.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const auto sectors = gap::whereIn(replay, replay.baseline(), 1).sectors;
+  EXPECT_TRUE(std::any_of(sectors.begin(), sectors.end(), [](const gap::Sector& sector) {
+    return std::abs(sector.from_deg + 8.4) < 0.6 && std::abs(sector.to_deg - 4.4) < 0.6;
+  }));
+}
+
 TEST_F(Search, SeesNoSectorWhereNothingDiffers) {
   measure({});
   EXPECT_TRUE(gap::whereIn(*replay_, replay_->baseline(), 1).sectors.empty());
