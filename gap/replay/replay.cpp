@@ -206,6 +206,11 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
   std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
   chain.aim(beams);
+  if (detail_.edge_rays == 0) {
+    traced->hits = model::traceWith(chain, traced->situation.scene, std::move(beams),
+                                    chain.subRays(world.model.rays_horizontal, world.model.rays_vertical));
+    return traced;
+  }
   const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
   const int vertical = std::max(kFewestRays, world.model.rays_vertical);
   const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;

@@ -50,13 +50,15 @@ struct ReplaySample {
 struct Detail {
   /// Of every sample at most about so many take part, in pairs of neighbouring columns all over the scan.
   std::size_t most_beams = std::numeric_limits<std::size_t>::max();
-  /// Per direction, of the denser, sheared grid of partly hit beams: their power is right to one over its square.
+  /// Per direction, of the denser, sheared grid of partly hit beams: their power is right to one over its square. 0:
+  /// every beam on the model's own grid, as `fidelis simulate` traces it.
   int edge_rays = 45;
 };
 
 /// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
 /// beams are traced more densely than the model's own grid, so that they do not differ by the grid alone, and hits on
-/// one object are joined. Thread-safe. References, model and experiment must outlive it.
+/// one object are joined (unless the detail says otherwise). Thread-safe. References, model and experiment must outlive
+/// it.
 ///
 /// A model that is not the built-in lidar is known by what it reported (`foreign`, one run a sample). `baseline` is
 /// then its proxy: the baseline world reports what the foreign model did, and every other world that with the

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/physics.h"
+#include "model/simulate.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -42,6 +43,22 @@ TEST(Replay, ASurfaceThatEndsBeyondTheOutermostRayOfABeamLosesThePowerThatPasses
   const gap::Replay replay(experiment, model, {.most_beams = 1000});
   const double expected = 0.975 * std::pow(std::cos(5.0 * core::kRadPerDeg) / std::cos(4.0 * core::kRadPerDeg), 3.0);
   EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 4.0), expected, 0.004);
+}
+
+// What the finer grid of partly hit beams knows of edges, nobody sees who runs the model.
+TEST(Replay, OnTheModelsOwnGridReportsWhatTheModelReportsWhenItIsRun) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  model::Experiment experiment = world.measuredBy(model, 0.4);
+  experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 8.0 * std::tan(5.0 * core::kRadPerDeg + 0.95e-3);
+  const core::Detections as_run = model::simulate(experiment, model, 0, {}, 7);
+  const auto replayed = [&](int edge_rays) {
+    const gap::Replay replay(experiment, model, {.edge_rays = edge_rays});
+    return replay.detections(replay.baseline(), 0, 7);
+  };
+  EXPECT_EQ(replayed(0).range_m, as_run.range_m);
+  EXPECT_EQ(replayed(0).intensity, as_run.intensity);
+  EXPECT_NE(replayed(33).intensity, as_run.intensity) << "the test must see an edge";
 }
 
 // The beam at 5 degrees is parted by the upright corner of a box 0.2 mrad beside its axis: 0.4 of its power meets the
