@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/physics.h"
 #include "gap/diagnosis.h"
 #include "gap/report/json.h"
 #include "model/simulate.h"
@@ -128,12 +129,12 @@ TEST(Diagnose, FindsAnEffectThatARecalibratedEmitterHides) {
   EXPECT_EQ(report["verdict"]["beside"][0], report["causes"][1]["name"]) << "its value and interval are told, too";
 }
 
-// Of walls whose edges cut beams: the gap that is told is that of the model as anybody runs it.
+// Of a wall whose edge cuts beams in a held-out sample: the gap that is told is that of the model as anybody runs it.
 TEST(Diagnose, TellsTheGapThatTheModelHasWhenItIsRun) {
   const SmallWorld world;
   const model::LidarModel model = SmallWorld::modelWith({});
   model::Experiment experiment = world.measuredBy(model, 0.4);
-  experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 8.0 * std::tan(0.0882);
+  experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 19.0 * std::tan(2.0 * core::kRadPerDeg + 0.95e-3);
   const gap::Diagnosis diagnosis = diagnosed(experiment, model, {"range-offset"});
   std::vector<gap::TotalGap> gaps;
   for (std::size_t s = 0; s < experiment.samples.size(); ++s) {
