@@ -29,6 +29,7 @@ constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames
 constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
+constexpr double kBelowCeiling = 0.1;  // of the gap: a cause that leaves so much that follows a law is not the cause
 constexpr double kMuchClearer = 3.0;   // so much more must one part of the samples show than the other
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
@@ -38,8 +39,7 @@ constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviation
 /// more.
 constexpr Detail kQuick{.most_beams = 360, .edge_rays = 17};
 constexpr Detail kExact{.most_beams = 6000, .edge_rays = 33};
-/// With which it is told how far the gap shrinks: as the model traces when it is run. A finer grid knows better what an
-/// edge leaves of a beam, but nobody runs it.
+/// As the model traces when anybody runs it.
 constexpr Detail kAsRun{.most_beams = kExact.most_beams, .edge_rays = 0};
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
@@ -89,12 +89,23 @@ World winnersWorld(const Replay& replay, const Decision& decision) {
   return decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
 }
 
-/// Where the gap is clear, the winner must hold on the total gap (decision.h).
-void proveOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision) {
-  if (!clear || !decision.winner) return;
-  if (holdsOnTotal(*decision.winner, gaps.shrinkTo(gaps.totalIn(winnersWorld(replay, decision))))) return;
-  decision.winner.reset();
-  decision.kind = VerdictKind::kUnknown;
+/// The total gap with the winner added; where the gap is clear, the winner must hold on it (decision.h).
+After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
+                    core::Progress& progress) {
+  progress.report(0.86, "measuring how far the gap shrinks");
+  After after = gaps.with(winnersWorld(replay, decision), progress);
+  if (clear && decision.winner && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
+    decision.winner.reset();
+    decision.kind = VerdictKind::kUnknown;
+  }
+  return after;
+}
+
+/// The same of the model as anybody runs it.
+AsRun asRun(const Replay& replay, const HeldOutGaps& gaps, const Decision& decision, const core::Progress& progress) {
+  const After after = gaps.with(winnersWorld(replay, decision), progress);
+  const model::LidarModel& model = replay.baseline().model;
+  return {gaps.before().total, after.gap.total, after.shrink, model.rays_horizontal, model.rays_vertical};
 }
 
 /// What moves whole frames is no cause's doing: where it is most of the gap, none is named, whatever scatters as much;
@@ -107,6 +118,21 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   decision.rivals.clear();
   decision.kind = VerdictKind::kUnknown;
   decision.frames_move = true;
+}
+
+/// What the decision leaves; no cause is named that stays clearly below what anything could explain.
+std::optional<Rest> heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision) {
+  const Replay& replay = judge.replay;
+  if (decision.kind == VerdictKind::kNone) return std::nullopt;
+  if (decision.winner) {
+    const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
+    const std::optional<Rest> rest = restOf(replay, judge.split, where, after);
+    if (!rest || rest->belowCeiling() < kBelowCeiling) return rest;
+    decision.winner.reset();
+    decision.rivals.clear();
+    decision.kind = VerdictKind::kUnknown;
+  }
+  return restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
 }
 
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
@@ -330,9 +356,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   const HeldOutGaps gaps(replay, exact.split.held_out.samples, seed);
   exact.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
 
-  const Replay as_run(experiment, model, kAsRun, foreign);
-  const HeldOutGaps told(as_run, exact.split.held_out.samples, seed);
-  Diagnosis diagnosis = withoutCauses(exact, told, where);
+  Diagnosis diagnosis = withoutCauses(exact, gaps, where);
   diagnosis.experiment = experiment.id;
   diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();
@@ -345,25 +369,26 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   heedFrames(exact, frames, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
-  proveOnTotal(gaps, replay, clear, decision);
-  progress.report(0.86, "measuring how far the gap shrinks");
-  const After after = told.with(winnersWorld(as_run, decision), progress);
+  const After after = provenOnTotal(gaps, replay, clear, decision, progress);
+  diagnosis.rest = heedCeiling(exact, where, seed, decision);
   if (decision.kind == VerdictKind::kNone)
     decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && decision.kind != VerdictKind::kNone) diagnosis.p_value = decision.p_value;
   if (given.external)
     diagnosis.approximation =
         approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);
-  fillCauses(exact, told, decision, frames.has_value(), diagnosis, progress);
-  if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
+  fillCauses(exact, gaps, decision, frames.has_value(), diagnosis, progress);
+  if (decision.winner) {
+    fillWinner(quick, exact, decision, after, diagnosis, progress);
+    if (!given.external) {
+      const Replay as_run(experiment, model, kAsRun);
+      diagnosis.as_run = asRun(as_run, {as_run, exact.split.held_out.samples, seed}, decision, progress);
+    }
+  }
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, decision, diagnosis);
-  if (diagnosis.present) {
-    const bool added = decision.winner.has_value();  // without a cause what is left is what was there
-    diagnosis.rest =
-        restOf(replay, exact.split, where, added ? whereIn(replay, winnersWorld(replay, decision), seed) : where);
-  }
   diagnosis.notes = notesOn(replay);
+  if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   heedApproximation(diagnosis);

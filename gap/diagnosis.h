@@ -101,6 +101,7 @@ struct Diagnosis {
   std::vector<Cause> causes;      ///< best first; two for a pair come first, in one verdict
   std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
+  std::optional<AsRun> as_run;  ///< with `after`, of the built-in lidar
   std::vector<std::string> held_out;
   std::vector<SampleTotals> held_out_totals;   ///< of each of them, if a cause was added
   bool weak_hold_out = false;                  ///< no sample could be held out whole

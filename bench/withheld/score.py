@@ -116,6 +116,7 @@ def judge(case, result):
     if case["class"] == "beside":
         row["sensors"] = right and right_sensors(truth, report)
     claimed = report.get("shrink") or {}
+    claimed = claimed.get("as_run") or claimed  # what it brings is measured with the model as it is run
     row.update(right=right, top3=right or bool(truth["names"]) and among_first(truth, report), kind=verdict["kind"],
                found=verdict.get("names", []), equivalents=sorted(equivalents(verdict) - set(verdict.get("names", []))),
                confidence=confidence, where=where, stratum=stratum, errors=recovery(truth, report) if right else [],

@@ -28,6 +28,16 @@ struct SampleTotals {
   double after = 0.0;
 };
 
+/// The same with the model's own rays, as `fidelis simulate` traces. A diagnosis traces beams that an edge cuts more
+/// finely, so that a coarse grid is neither taken for a gap nor for a cause.
+struct AsRun {
+  double before_total = 0.0;
+  double after_total = 0.0;
+  Shrink shrink;
+  int rays_horizontal = 1;  ///< of a beam
+  int rays_vertical = 1;
+};
+
 /// The total gap with a cause added, and how much of it is gone.
 struct After {
   TotalGap gap;

@@ -94,6 +94,13 @@ Json shrinkJson(const Diagnosis& diagnosis) {
           {"samples", samples}};
 }
 
+Json toJson(const AsRun& as_run) {
+  return {{"fraction", as_run.shrink.fraction},
+          {"interval", toJson(as_run.shrink.interval)},
+          {"before_total", as_run.before_total},
+          {"after_total", as_run.after_total}};
+}
+
 Json toJson(const VerdictEvidence& evidence) {
   return {{"explained", evidence.explained},
           {"total_left", evidence.total_left},
@@ -180,6 +187,7 @@ Json reportJson(const Diagnosis& diagnosis) {
                    {"text", diagnosis.verdict.text}}},
                  {"causes", causes}};
   report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
+  if (diagnosis.as_run) report["shrink"]["as_run"] = toJson(*diagnosis.as_run);
   report["next_experiment"] = nullptr;
   if (diagnosis.next_experiment) {
     report["next_experiment"] = {{"text", diagnosis.next_experiment->text},

@@ -326,6 +326,20 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
+std::string asRunSentence(const Diagnosis& diagnosis) {
+  constexpr double kMatters = 0.05;  // of the gap
+  if (!diagnosis.as_run || std::abs(diagnosis.as_run->shrink.fraction - diagnosis.shrink.fraction) < kMatters)
+    return "";
+  const AsRun& as_run = *diagnosis.as_run;
+  return fmt::format(
+      "Beams that an edge cuts are traced more finely here than the model does with its {} × {} rays per beam. Run as "
+      "it "
+      "is, it shows a total gap of {} and, corrected, {}: {}. With more rays it comes near to what is said here.",
+      as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3),
+      core::significant(as_run.after_total, 3),
+      as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
+}
+
 std::string frameModeSentence(const FrameMode& mode) {
   return fmt::format(
       "All detections of a frame deviate together, in {} by {:.3g} {} (standard deviation over the frames): the frames "

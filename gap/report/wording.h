@@ -26,6 +26,8 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
+/// Where the model as it is run shows another shrink; else empty.
+[[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample);
 

@@ -33,6 +33,8 @@ struct Rest {
 
   /// Share of the gap that the world and a smooth function of the covariates explain together.
   [[nodiscard]] double ceiling() const { return 1.0 - left * (1.0 - systematic); }
+  /// How much less of the gap the world explains by itself.
+  [[nodiscard]] double belowCeiling() const { return left * systematic; }
 };
 
 /// `before`: residuals of the model as it was brought, `after`: of the world in question.

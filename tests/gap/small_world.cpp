@@ -39,7 +39,7 @@ json sensorJson() {
             {"output", {"range", "epw", "intensity"}}}}};
 }
 
-json experimentJson(double reflectivity, const std::map<std::string, double>& offset_m) {
+json experimentJson(double reflectivity, double width_m, const std::map<std::string, double>& offset_m) {
   json samples = json::array();
   const std::map<double, std::string> roles = {{8, "calibration"},  {13, "validation"}, {19, "prediction"},
                                                {27, "calibration"}, {36, "prediction"}, {46, "validation"}};
@@ -66,7 +66,7 @@ json experimentJson(double reflectivity, const std::map<std::string, double>& of
           {"materials", {{"plaster", {{"reflectivity", reflectivity}}}}},
           {"scene",
            {{{"id", "wall"},
-             {"shape", {{"type", "rectangle"}, {"width_m", 60}, {"height_m", 12}}},
+             {"shape", {{"type", "rectangle"}, {"width_m", width_m}, {"height_m", 12}}},
              {"pose", {{"position_m", {10, 0, 0}}, {"yaw_pitch_roll_deg", {0, 0, 0}}}},
              {"material", "plaster"}}}},
           {"samples", samples}};
@@ -90,12 +90,13 @@ model::LidarModel SmallWorld::modelWith(const Effects& effects, const std::map<s
 model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double true_reflectivity,
                                          const std::map<std::string, double>& offset_m) const {
   core::SilentProgress progress;
-  const auto real = model::parseExperiment(experimentJson(true_reflectivity, offset_m), folder_ / "experiment.json");
+  const auto real =
+      model::parseExperiment(experimentJson(true_reflectivity, wall_width_m_, offset_m), folder_ / "experiment.json");
   const auto measured =
       folder_ / ("measured-" + std::to_string(std::distance(std::filesystem::directory_iterator(folder_.path()),
                                                             std::filesystem::directory_iterator())));
   model::simulatePackage(real, truth, measured, seed_, progress);
-  json recorded = experimentJson(reflectivity_, {});
+  json recorded = experimentJson(reflectivity_, wall_width_m_, {});
   for (json& sample : recorded["samples"]) {
     if (known_to_within_m_ <= 0.0) continue;
     sample["epistemic"] = {
@@ -106,11 +107,16 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
 }
 
 json SmallWorld::recorded(const std::map<std::string, double>& offset_m) const {
-  return experimentJson(reflectivity_, offset_m);
+  return experimentJson(reflectivity_, wall_width_m_, offset_m);
 }
 
 SmallWorld& SmallWorld::measuredUnder(std::uint64_t seed) {
   seed_ = seed;
+  return *this;
+}
+
+SmallWorld& SmallWorld::withAWallOf(double width_m) {
+  wall_width_m_ = width_m;
   return *this;
 }
 

@@ -27,6 +27,8 @@ class SmallWorld {
                                              const std::map<std::string, double>& offset_m = {}) const;
   /// experiment.json of the world in which the wall stands `offset_m` farther than recorded.
   [[nodiscard]] nlohmann::json recorded(const std::map<std::string, double>& offset_m = {}) const;
+  /// With a wall so wide; as it is, no beam meets its edges.
+  SmallWorld& withAWallOf(double width_m);
   /// The same, recorded with an epistemic interval of ± `half_m` for the wall's distance.
   SmallWorld& knownToWithin(double half_m);
   /// Measured under other noise than usual; never that of the model under test.
@@ -35,6 +37,7 @@ class SmallWorld {
 
  private:
   double reflectivity_;
+  double wall_width_m_ = 60.0;
   double known_to_within_m_ = 0.0;
   std::uint64_t seed_ = 4711;
   TemporaryFolder folder_;
