@@ -334,7 +334,7 @@ std::string asRunSentence(const Diagnosis& diagnosis) {
   return fmt::format(
       "Beams that an edge cuts are traced more finely here than the model does with its {} × {} rays per beam. Run as "
       "it "
-      "is, it shows a total gap of {} and, corrected, {}: {}. With more rays it comes near to what is said here.",
+      "is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is said here.",
       as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3),
       core::significant(as_run.after_total, 3),
       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
