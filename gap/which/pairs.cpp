@@ -26,7 +26,7 @@ constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together wit
 constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
 constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
 constexpr double kRecalibrations[] = {1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.2};  // of what is recorded of a parameter
-constexpr int kPartsOfAStep = 4;
+constexpr int kPartsOfAStep = 4;       // between two of them shifts are interpolated
 constexpr double kMostErrors = 100.0;  // of a shift
 constexpr int kExchanges = 2;
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
@@ -241,9 +241,8 @@ class PairSearch {
   }
 
   /// What goes best with another value of a parameter: whoever calibrated the model to its means has hidden the cause
-  /// in it, and no single hypothesis may look better than none. An effect of thirty per cent leaves a few behind a
-  /// parameter that is right within one, so signatures are summed at many values, and the parameter is fitted to each
-  /// of the nearest.
+  /// in it, and no single hypothesis may look better than none. What is left of the cause shows only where the
+  /// parameter is right within a per cent or two, so signatures are summed at many values of it.
   [[nodiscard]] std::vector<Guess> besideRecalibration() const {
     std::vector<std::size_t> parameters;
     for (std::size_t i = 0; i < singles_.size(); ++i)

@@ -13,11 +13,11 @@ namespace gap {
 
 namespace {
 
-constexpr int kMostLooks = 60;    // at a world
-constexpr double kStep = 0.02;    // of the scaled range, to see which way the shifts go
-constexpr double kEnough = 1e-3;  // of the sum of squares: gains less
-constexpr double kClose = 1e-3;   // of the scaled range
-constexpr double kFirstTrust = 0.1;
+constexpr int kMostLooks = 60;       // at a world
+constexpr double kStep = 0.02;       // of the scaled range, to see which way the shifts go
+constexpr double kEnough = 1e-3;     // of the sum of squares: a search that gains less has ended
+constexpr double kClose = 1e-3;      // of the scaled range: so has one whose steps are smaller
+constexpr double kFirstTrust = 0.1;  // of the distance from the origin, which is between one and two a number
 
 /// Far shifts count less, but never nothing: that would show no way back.
 double asItCounts(double errors) { return SignatureSpace::kFar * std::asinh(errors / SignatureSpace::kFar); }
