@@ -102,9 +102,11 @@ After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, D
 }
 
 /// The same of the model as anybody runs it.
-AsRun asRun(const Replay& replay, const HeldOutGaps& gaps, const Decision& decision, const core::Progress& progress) {
+AsRun asRun(const model::Experiment& experiment, const model::LidarModel& model, const Evidence& held_out,
+            const Decision& decision, const core::Progress& progress) {
+  const Replay replay(experiment, model, kAsRun);
+  const HeldOutGaps gaps(replay, held_out.samples, model.seed);
   const After after = gaps.with(winnersWorld(replay, decision), progress);
-  const model::LidarModel& model = replay.baseline().model;
   return {gaps.before().total, after.gap.total, after.shrink, model.rays_horizontal, model.rays_vertical};
 }
 
@@ -114,9 +116,7 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   if (!decision.winner || !frames) return;
   const bool convincing = judge.accountedFor(*decision.winner) >= kConvincing;
   if (convincing && frames->share_of_gap < kMostOfTheGap) return;
-  decision.winner.reset();
-  decision.rivals.clear();
-  decision.kind = VerdictKind::kUnknown;
+  decision.nameNothing();
   decision.frames_move = true;
 }
 
@@ -128,9 +128,7 @@ std::optional<Rest> heedCeiling(const Judge& judge, const WhereResult& where, st
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
     const std::optional<Rest> rest = restOf(replay, judge.split, where, after);
     if (!rest || rest->belowCeiling() < kBelowCeiling) return rest;
-    decision.winner.reset();
-    decision.rivals.clear();
-    decision.kind = VerdictKind::kUnknown;
+    decision.nameNothing();
   }
   return restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
 }
@@ -380,10 +378,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   fillCauses(exact, gaps, decision, frames.has_value(), diagnosis, progress);
   if (decision.winner) {
     fillWinner(quick, exact, decision, after, diagnosis, progress);
-    if (!given.external) {
-      const Replay as_run(experiment, model, kAsRun);
-      diagnosis.as_run = asRun(as_run, {as_run, exact.split.held_out.samples, seed}, decision, progress);
-    }
+    if (!given.external) diagnosis.as_run = asRun(experiment, model, exact.split.held_out, decision, progress);
   }
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, decision, diagnosis);

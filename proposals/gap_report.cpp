@@ -177,6 +177,25 @@ void readVerdict(JsonObject json, GapReport& report) {
                     .text = json.textOr("text", "")};
 }
 
+gap::Law readLaw(JsonObject& json) {
+  gap::Law law;
+  law.measurand = json.text("measurand");
+  law.component = json.text("component");
+  law.unit = json.textOr("unit", "");
+  law.constant = json.numberOr("constant", 0.0);
+  law.explained = json.numberOr("explained", 0.0);
+  eachOf(json, "terms", [&](JsonObject& term) {
+    law.terms.push_back({term.text("covariate"), term.text("function"), term.number("coefficient")});
+  });
+  return law;
+}
+
+gap::Rest readRest(JsonObject json) {
+  gap::Rest rest{.left = json.number("left"), .systematic = json.number("systematic"), .laws = {}};
+  eachOf(json, "laws", [&](JsonObject& law) { rest.laws.push_back(readLaw(law)); });
+  return rest;
+}
+
 gap::Approximation readApproximation(JsonObject json) {
   return {.proxy = json.textOr("proxy", ""),
           .proxy_gap = json.numberOr("proxy_gap", 0.0),
@@ -224,6 +243,7 @@ GapReport parseGapReport(const nlohmann::json& json, const std::filesystem::path
   report.notes = object.texts("notes");
   eachOf(object, "causes", [&](JsonObject& cause) { report.causes.push_back(readCause(cause)); });
   if (object.has("shrink")) readShrink(object.object("shrink"), report);
+  if (object.has("rest")) report.rest = readRest(object.object("rest"));
   if (object.has("next_experiment")) {
     JsonObject next = object.object("next_experiment");
     report.next_experiment = next.textOr("text", "");

@@ -46,6 +46,7 @@ struct GapReport {
   std::optional<std::pair<double, double>> totals;  ///< before, after
   std::vector<std::string> held_out;
   std::vector<gap::SampleTotals> samples;  ///< the held-out ones; empty if the report does not list them
+  std::optional<gap::Rest> rest;           ///< what the verdict leaves unexplained
   std::vector<gap::TwiceJudgedTest> flips;
   std::string next_experiment;
   nlohmann::json proposed_model;  ///< null if there is none

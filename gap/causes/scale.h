@@ -35,7 +35,6 @@ class UnitCube {
   /// The ends of a sector in order.
   [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const;
   [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const;
-  [[nodiscard]] const std::vector<FreeParameter>& parameters() const noexcept { return parameters_; }
 
  private:
   std::vector<FreeParameter> parameters_;

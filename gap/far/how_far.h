@@ -28,6 +28,13 @@ struct SampleTotals {
   double after = 0.0;
 };
 
+/// The total gap with a cause added, and how much of it is gone.
+struct After {
+  TotalGap gap;
+  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups), frames and references
+  std::vector<SampleTotals> samples;
+};
+
 /// The same with the model's own rays, as `fidelis simulate` traces. A diagnosis traces beams that an edge cuts more
 /// finely, so that a coarse grid is neither taken for a gap nor for a cause.
 struct AsRun {
@@ -36,13 +43,6 @@ struct AsRun {
   Shrink shrink;
   int rays_horizontal = 1;  ///< of a beam
   int rays_vertical = 1;
-};
-
-/// The total gap with a cause added, and how much of it is gone.
-struct After {
-  TotalGap gap;
-  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups), frames and references
-  std::vector<SampleTotals> samples;
 };
 
 /// The total gap on the held-out samples, without and with a cause. The model as it was brought is simulated once.

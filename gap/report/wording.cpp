@@ -326,6 +326,31 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
+bool hardlyAnyLeft(const Rest& rest) {
+  constexpr double kLittle = 0.05;  // of the gap
+  return rest.left < kLittle;
+}
+
+std::string restText(const Rest& rest, bool cause_is_named) {
+  constexpr double kRegular = 0.5;      // of the rest: more depends on something than does not
+  constexpr double kAccidental = 0.15;  // of the rest: hardly any of it depends on anything
+  const std::string left =
+      cause_is_named ? fmt::format(
+                           "With the named cause added, {} of the differences are left, beam by beam on held-out "
+                           "samples. ",
+                           percent(rest.left))
+                     : "No cause was added, so all differences are left. ";
+  if (hardlyAnyLeft(rest)) return left + "So little is left that nothing is sought in it.";
+  const std::string share = percent(rest.systematic);
+  if (rest.systematic <= kAccidental)
+    return left + fmt::format(
+                      "Of what is left, {} follows distance, direction, surface or settings smoothly: it is scattered, "
+                      "or changes quickly with one of them.",
+                      share);
+  return left + fmt::format("{} of what is left follows distance, direction, surface and settings in a regular way{}",
+                            share, rest.systematic >= kRegular ? ": something systematic is still missing." : ".");
+}
+
 std::string asRunSentence(const Diagnosis& diagnosis) {
   constexpr double kMatters = 0.05;  // of the gap
   if (!diagnosis.as_run || std::abs(diagnosis.as_run->shrink.fraction - diagnosis.shrink.fraction) < kMatters)
@@ -333,8 +358,7 @@ std::string asRunSentence(const Diagnosis& diagnosis) {
   const AsRun& as_run = *diagnosis.as_run;
   return fmt::format(
       "Beams that an edge cuts are traced more finely here than the model does with its {} × {} rays per beam. Run as "
-      "it "
-      "is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is said here.",
+      "it is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is said here.",
       as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3),
       core::significant(as_run.after_total, 3),
       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");

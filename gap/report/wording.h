@@ -26,6 +26,11 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
+/// So little of the gap is left that nobody asks what it depends on.
+[[nodiscard]] bool hardlyAnyLeft(const Rest& rest);
+/// How much is left with the named cause added (or without any), and whether something systematic is in it.
+[[nodiscard]] std::string restText(const Rest& rest, bool cause_is_named);
+
 /// Where the model as it is run shows another shrink; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);

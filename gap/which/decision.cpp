@@ -377,6 +377,12 @@ void Decision::name(const Candidate& candidate) {
   kind = kindOf(membersOf(*winner).front().hypothesis.kind);
 }
 
+void Decision::nameNothing() {
+  winner.reset();
+  rivals.clear();
+  kind = VerdictKind::kUnknown;
+}
+
 std::vector<std::string> Decision::names() const {
   if (!winner) return {};
   if (!pair()) return {winner->hypothesis.name};

@@ -33,6 +33,8 @@ struct Decision {
   [[nodiscard]] bool pair() const { return winner && !winner->hypothesis.members.empty(); }
   /// Makes a candidate the winner.
   void name(const Candidate& candidate);
+  /// None is named; there is a gap, and what it comes from is unknown.
+  void nameNothing();
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
   [[nodiscard]] std::vector<std::string> names() const;
   /// The members of a pair that it does not name.

@@ -111,6 +111,23 @@ TEST_F(DesktopDiagnosis, ACauseSaysItsFormItsSensorsAndHowSureItIs) {
   EXPECT_TRUE(shownText().contains("62.5 %")) << shownText().toStdString();
 }
 
+nlohmann::json rest(double left) {
+  const nlohmann::json term = {{"covariate", "range_m"}, {"function", "1/x"}, {"coefficient", 2.0}};
+  const nlohmann::json law = {{"measurand", "epw"}, {"component", "bias"}, {"unit", "m"},
+                              {"constant", 0.1},    {"terms", {term}},     {"explained", 0.75}};
+  return {{"left", left}, {"systematic", 0.625}, {"laws", {law}}};
+}
+
+TEST_F(DesktopDiagnosis, WhatIsLeftSaysWhetherSomethingIsStillMissingAndWhatItFollows) {
+  ASSERT_TRUE(page().openReport(reportWith({{"rest", rest(0.4)}})));
+  EXPECT_TRUE(shownText().contains("40 % of the differences are left")) << shownText().toStdString();
+  EXPECT_TRUE(shownText().contains("something systematic is still missing"));
+  EXPECT_TRUE(shownText().contains("mean of the echo pulse width 0.1 + 2/range_m m 75 %")) << shownText().toStdString();
+  ASSERT_TRUE(page().openReport(reportWith({{"rest", rest(0.03)}})));
+  EXPECT_TRUE(shownText().contains("So little is left"));
+  EXPECT_FALSE(shownText().contains("2/range_m"));
+}
+
 nlohmann::json approximation(double ratio) {
   return {{"text", "Proxy and model under test differ."}, {"proxy", "near"}, {"ratio", ratio}};
 }

@@ -138,6 +138,7 @@ TEST(Diagnose, NamesNoCauseThatLeavesWhatFollowsALaw) {
   core::SilentProgress progress;
   const auto diagnosis = gap::diagnose(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}), offsets_only, progress);
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
+  ASSERT_TRUE(diagnosis.rest.has_value());
   ASSERT_FALSE(diagnosis.rest->laws.empty());
   EXPECT_EQ(diagnosis.rest->laws.front().terms.front().covariate, "range_m");
 }

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/json_object.h"
 #include "gap/report/json.h"
+#include "gap/report/wording.h"
 #include "tests/proposals/demo_project.h"
 #include "tests/support/thrown_message.h"
 
@@ -82,6 +83,26 @@ TEST(GapReport, HoldsWhatIsToBeBorneInMind) {
   EXPECT_EQ(report.approximation->gap, 3.0);
   EXPECT_EQ(report.approximation->text, "Far.");
   EXPECT_FALSE(report.approximation->reliable());
+}
+
+TEST(GapReport, HoldsWhatIsLeftUnexplained) {
+  gap::Diagnosis diagnosis = DemoProject::diagnosis();
+  diagnosis.rest.reset();
+  EXPECT_FALSE(parseGapReport(gap::reportJson(diagnosis), "gap.json").rest);
+  const gap::Law law{.measurand = "epw",
+                     .component = "bias",
+                     .unit = "m",
+                     .constant = 0.1,
+                     .terms = {{"range_m", "1/x", 2.0}},
+                     .explained = 0.75};
+  diagnosis.rest = gap::Rest{.left = 0.4, .systematic = 0.625, .laws = {law}};
+  const GapReport report = parseGapReport(gap::reportJson(diagnosis), "gap.json");
+  ASSERT_TRUE(report.rest);
+  EXPECT_EQ(report.rest->left, 0.4);
+  EXPECT_EQ(report.rest->systematic, 0.625);
+  ASSERT_EQ(report.rest->laws.size(), 1U);
+  EXPECT_EQ(gap::formulaOf(report.rest->laws[0]), gap::formulaOf(law));
+  EXPECT_EQ(report.rest->laws[0].explained, 0.75);
 }
 
 TEST(GapReport, AnotherFileIsRefusedInWords) {

@@ -210,6 +210,24 @@ QString howFarPart(const GapReport& report, const QPalette& palette) {
   return page + table(rows);
 }
 
+QString restPart(const GapReport& report, const QPalette& palette) {
+  if (!report.rest) return {};
+  const gap::Rest& rest = *report.rest;
+  QString page = title(QObject::tr("What is left unexplained?")) +
+                 html::paragraph(html::text(gap::restText(rest, !report.verdict.names.empty())));
+  if (rest.laws.empty() || gap::hardlyAnyLeft(rest)) return page;
+  QString rows =
+      head({QObject::tr("Difference"), QObject::tr("Measured − simulated ≈"), "", QObject::tr("Follows the formula")},
+           palette);
+  for (const gap::Law& law : rest.laws) {
+    rows += "<tr>" + cell(html::text(gap::componentTitle(law.measurand, law.component))) +
+            sentence(html::text(gap::formulaOf(law))) + cell(html::text(law.unit)) +
+            cell(percent(law.explained), true) + "</tr>";
+  }
+  return page + table(rows) +
+         html::paragraph(html::muted(QObject::tr("A formula is a hint where to look, not a cause."), palette));
+}
+
 QString flipsPart(const GapReport& report, const QPalette& palette) {
   if (report.flips.empty()) return {};
   QString rows;
@@ -226,7 +244,8 @@ QString flipsPart(const GapReport& report, const QPalette& palette) {
 
 QString diagnosisText(const GapReport& report, const QPalette& palette) {
   QString page = verdictPart(report, palette) + trustPart(report, palette) + wherePart(report, palette) +
-                 causesPart(report, palette) + howFarPart(report, palette) + flipsPart(report, palette);
+                 causesPart(report, palette) + howFarPart(report, palette) + restPart(report, palette) +
+                 flipsPart(report, palette);
   if (!report.next_experiment.empty()) {
     page += title(QObject::tr("What to measure next")) + html::paragraph(html::text(report.next_experiment));
   }
