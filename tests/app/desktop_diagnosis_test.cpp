@@ -1,6 +1,7 @@
 // The diagnosis page, on the demo project: a real report, real proposals, decisions that reach the file when saved.
 #include <QApplication>
 #include <QMessageBox>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTest>
@@ -323,6 +324,9 @@ TEST_F(DesktopDiagnosis, ThePictureOfThePage) {
   window_->resize(1100, 720);
   panel().table().setCurrentCell(3, 0);
   shoot("small.png");
+  ASSERT_TRUE(page().openReport(reportWith({{"rest", rest(0.4)}})));
+  page().text().verticalScrollBar()->setValue(page().text().verticalScrollBar()->maximum());
+  shoot("rest.png");
   nlohmann::json far = approximation(1.4);
   far["text"] =
       "The model under test is not the built-in lidar. What an effect would change was computed in a built-in proxy: "
