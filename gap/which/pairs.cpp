@@ -338,9 +338,12 @@ class PairSearch {
     return guesses;
   }
 
+  /// Whether these two causes were fitted together already, and came as near to the data as this guess.
   [[nodiscard]] bool known(const Guess& guess) const {
     return std::any_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) {
-      return std::minmax(pair.first, pair.second) == std::minmax(guess.first, guess.second);
+      if (std::minmax(pair.first, pair.second) != std::minmax(guess.first, guess.second)) return false;
+      const Candidate& fitted = pair.candidate;
+      return discrepancyOf(scout_, worldOf(scout_, fitted.hypothesis, fitted.values), scouted_) <= guess.distance;
     });
   }
 
@@ -377,6 +380,9 @@ class PairSearch {
     std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
     std::stable_sort(pairs_.begin(), pairs_.end(),
                      [](const Fitted& a, const Fitted& b) { return better(a.candidate, b.candidate); });
+    taken.clear();  // of a pair that was fitted again the better fit stays
+    std::erase_if(pairs_,
+                  [&](const Fitted& pair) { return !taken.insert(std::minmax(pair.first, pair.second)).second; });
   }
 
   const Judge& judge_;
