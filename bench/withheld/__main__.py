@@ -59,6 +59,7 @@ def arguments(argv):
     parser.add_argument("--case", default="", help="only this case; prints its verdict beside the truth")
     parser.add_argument("--jobs", type=int, default=2, help="cases at once, one thread each (default: 2)")
     parser.add_argument("--time-limit", type=float, default=300, metavar="S", help="processor time of a diagnosis; past it the case is wrong (300)")
+    parser.add_argument("--fresh", action="store_true", help="no build has seen these cases: keep them in OUT/sets, beside those of earlier versions")
     parser.add_argument("--oracle", action="store_true", help="run with nothing tried but the true effects, too")
     parser.add_argument("--without", default=",".join(ablation.VARIANTS), help="what ablate leaves out, a,b (default: each of %(default)s)")
     options = parser.parse_args(argv)
@@ -210,7 +211,7 @@ def make_report(options, found):
                               {c["id"]: packages.read(homes[c["id"]] / "experiment" / "experiment.json") for c, _ in done},
                               run.library_names(str(program(options, "fidelis"))))
     about = about_cases(rows)
-    for remark in report.write(options.out, rows, trivial, about):
+    for remark in report.write(options.out, rows, trivial, about, fresh=options.fresh):
         print(remark, file=sys.stderr)
     for what, wanted, result in score.table(rows):
         if result["n"]:

@@ -5,6 +5,7 @@ from pathlib import Path
 import baselines
 import packages
 import score
+import sets
 
 
 def shown(result):
@@ -66,17 +67,30 @@ def markdown(rows, trivial, about):
     return "\n".join(lines) + "\n"
 
 
-def write(out, rows, trivial, about, pictures=True):
-    """Returns remarks for the person who runs it."""
+def sets_page(kept):
+    """What the sets of fresh cases said so far, those of earlier versions beside the newest."""
+    if not kept:
+        return ""
+    lines = ["", "## All sets of cases that no build had seen", "",
+             f"{sum(len(s['cases']) for s in kept)} cases; number of cases in brackets. Each set was run once, with the version at its head; what its",
+             "failures led to shows in later sets only. The files of sets/ have every case; [history.md](history.md) tells what came of them.", "",
+             *sets.markdown(kept)]
+    return "\n".join(lines) + "\n"
+
+
+def write(out, rows, trivial, about, pictures=True, fresh=False):
+    """Returns remarks for the person who runs it. `fresh`: no build had seen these cases, so they are kept as a set."""
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
+    if fresh:
+        sets.keep(out, about, rows)
     packages.write(out / "results.json", {
         "format": "fidelis-withheld-results", "version": 1, **about,
         "table": {name: [{"what": w, "wanted": t, **r} for w, t, r in score.table([x for x in rows if x["generator"] == name])]
                   for name in sorted({r["generator"] for r in rows})},
         "judges": [{"judge": name, **by_group} for name, by_group in trivial], "cases": rows})
     parts = "\nWhat the parts of the diagnosis bring: [ablations.md](ablations.md).\n" if (out / "ablations.md").exists() else ""
-    (out / "README.md").write_text(markdown(rows, trivial, about) + parts)
+    (out / "README.md").write_text(markdown(rows, trivial, about) + parts + sets_page(sets.read(out)))
     if not pictures:
         return []
     try:

@@ -27,6 +27,7 @@ import run
 import scenes
 import score
 import sensors
+import sets
 import severity
 
 
@@ -246,6 +247,24 @@ class Ablations(unittest.TestCase):
         self.assertEqual(lines[1][1]["one effect"]["n"], 3)  # the fourth was not run as a whole
         self.assertIn("| one channel | 0.67 [0.21, 0.94] (3) |", ablation.markdown(lines, report.shown, {
             "date": "d", "version": "v", "command": "c", "generators": "3 foreign"}))
+
+
+class Sets(unittest.TestCase):
+    def test_sets_of_fresh_cases_are_kept_pooled_and_shown_beside_each_other(self):
+        row = lambda number, *said: score.judge(case_of(number), result_of(said=("effect", [*said])))
+        about = lambda seed: {"date": "2026-01-02", "version": f"v{seed}", "command": f"scripts/withheld --seed {seed}", "generators": "2 foreign"}
+        with tempfile.TemporaryDirectory() as folder:
+            sets.keep(Path(folder), about(9), [row("1", "speckle"), row("2", "blooming")])
+            sets.keep(Path(folder), about(10), [row("3", "speckle")])
+            kept = sets.read(Path(folder))
+        self.assertEqual([s["version"] for s in kept], ["v10", "v9"])
+        lines = {line.split(" | ")[0]: line for line in sets.markdown(kept)}
+        low, high = chance.wilson(2, 3)
+        pooled = f"0.67 [{low:.2f}, {high:.2f}], n=3"
+        self.assertIn(f"| {pooled} | {pooled} | 1.00 (1) | 0.50 (2) |", lines["| all classes: right"])
+
+    def test_without_sets_the_page_says_nothing_of_them(self):
+        self.assertEqual(report.sets_page([]), "")
 
 
 class EndToEnd(unittest.TestCase):
