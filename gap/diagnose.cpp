@@ -120,17 +120,22 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   decision.frames_move = true;
 }
 
-/// What the decision leaves; no cause is named that stays clearly below what anything could explain.
-std::optional<Rest> heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision) {
+/// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
+/// anything could explain.
+void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
+                 Diagnosis& diagnosis) {
   const Replay& replay = judge.replay;
-  if (decision.kind == VerdictKind::kNone) return std::nullopt;
+  if (decision.kind == VerdictKind::kNone) return;
   if (decision.winner) {
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
-    const std::optional<Rest> rest = restOf(replay, judge.split, where, after);
-    if (!rest || rest->belowCeiling() < kBelowCeiling) return rest;
+    diagnosis.rest = restOf(replay, judge.split, where, after);
+    if (!diagnosis.rest || diagnosis.rest->belowCeiling() < kBelowCeiling) {
+      diagnosis.where = rowsOfCause(replay, where, after);
+      return;
+    }
     decision.nameNothing();
   }
-  return restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
+  diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
 }
 
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
@@ -368,7 +373,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
-  diagnosis.rest = heedCeiling(exact, where, seed, decision);
+  heedCeiling(exact, where, seed, decision, diagnosis);
   if (decision.kind == VerdictKind::kNone)
     decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && decision.kind != VerdictKind::kNone) diagnosis.p_value = decision.p_value;
