@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <nlopt.h>
+#include <optional>
 
 #include "gap/causes/scale.h"
 #include "gap/distance/settle.h"
@@ -131,6 +132,49 @@ Point middleOfBest(std::vector<Point> points) {
   });
 }
 
+/// A smallest value between two others on a line.
+Point lowestBetween(const Objective& objective, double low, double high, std::uintmax_t most_trials) {
+  const auto [unit, discrepancy] = boost::math::tools::brent_find_minima([&](double x) { return objective({x}); }, low,
+                                                                         high, kBrentBits, most_trials);
+  return {{unit}, discrepancy};
+}
+
+/// The interval of an even search in which the objective changes most, if that is a good part of its change at all and
+/// leads to where it is nearly as good as anywhere; else nothing.
+std::optional<std::size_t> abruptStep(const std::vector<Point>& even, const Point& best) {
+  constexpr double kMuchOfAll = 0.3, kNearly = 0.1;  // of the whole change
+  double highest = best.discrepancy, largest = 0.0;
+  for (const Point& point : even) highest = std::max(highest, point.discrepancy);
+  const double whole = highest - best.discrepancy;
+  std::optional<std::size_t> step;
+  for (std::size_t i = 0; i + 1 < even.size(); ++i) {
+    const auto [low, high] = std::minmax(even[i].discrepancy, even[i + 1].discrepancy);
+    if (high - low <= std::max(largest, kMuchOfAll * whole)) continue;
+    largest = high - low;
+    step = low < best.discrepancy + kNearly * whole ? std::optional(i) : std::nullopt;
+  }
+  return step;
+}
+
+/// The best point of a line, dips included that are narrower than its steps: where a cause takes all echoes of a
+/// sample, more of it changes nothing and seems best, and what takes nearly all of them lies just beside that.
+Point withDips(const Objective& objective, const std::vector<Point>& even, const Point& best) {
+  constexpr int kParts = 12;
+  constexpr std::uintmax_t kTrials = 10;
+  const std::optional<std::size_t> abrupt = abruptStep(even, best);
+  if (!abrupt) return best;
+  const double from = even[*abrupt].unit[0], part = (even[*abrupt + 1].unit[0] - from) / kParts;
+  Point nearest = best;
+  for (int p = 1; p < kParts; ++p) {
+    const std::vector<double> unit{from + p * part};
+    const double discrepancy = objective(unit);
+    if (discrepancy < nearest.discrepancy) nearest = {unit, discrepancy};
+  }
+  if (nearest.unit == best.unit) return best;
+  const Point dip = lowestBetween(objective, nearest.unit[0] - part, nearest.unit[0] + part, kTrials);
+  return dip.discrepancy < nearest.discrepancy ? dip : nearest;
+}
+
 Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> points = coarsePoints(objective.dimensions(), coarseCount(objective.dimensions()));
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
@@ -138,20 +182,26 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
   for (const auto& point : points) looked_at.push_back({point, objective(point)});
   if (objective.dimensions() == 1) {
     for (const double end : {0.0, 1.0}) looked_at.push_back({{end}, objective({end})});
+    std::vector<Point> even = looked_at;
+    std::sort(even.begin(), even.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
     lookBetween(objective, looked_at);
-    return middleOfBest(looked_at);
+    return withDips(objective, even, middleOfBest(looked_at));
   }
   return *std::min_element(looked_at.begin(), looked_at.end(),
                            [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
 }
 
+/// Nearer to the start again where a wide search leads away from a dip that was known.
 std::vector<double> refineOne(const Objective& objective, double start, double reach) {
-  std::uintmax_t most = 24;
-  const auto [unit, value] =
-      boost::math::tools::brent_find_minima([&](double x) { return objective({x}); }, std::max(0.0, start - reach),
-                                            std::min(1.0, start + reach), kBrentBits, most);
-  (void)value;
-  return {unit};
+  constexpr std::uintmax_t kTrials = 24;
+  constexpr double kNearer = 0.15;
+  constexpr int kSearches = 3;
+  const double known = objective({start});
+  for (int search = 0; search < kSearches; ++search, reach *= kNearer) {
+    Point found = lowestBetween(objective, std::max(0.0, start - reach), std::min(1.0, start + reach), kTrials);
+    if (found.discrepancy < known) return std::move(found.unit);
+  }
+  return {start};
 }
 
 struct SubplexCall {
@@ -193,8 +243,8 @@ std::vector<double> refineSeveral(const Objective& objective, std::vector<double
 /// The values that a bounded search around a point of the unit cube ends with.
 std::vector<double> searched(const Objective& objective, const std::vector<double>& start, double reach, double step,
                              int most_trials = kRefinements) {
-  const auto refined =
-      start.size() == 1 ? refineOne(objective, start[0], reach) : refineSeveral(objective, start, step, most_trials);
+  if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach));
+  const std::vector<double> refined = refineSeveral(objective, start, step, most_trials);
   // A rugged objective may lead the refinement astray.
   return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
 }

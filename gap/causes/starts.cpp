@@ -68,6 +68,12 @@ std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
   return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
 }
 
+/// How long the receiver listens after a shot. [s]
+double listening_s(const Replay& replay) {
+  const model::SensorProfile& sensor = replay.baseline().model.sensor(replay.samples().front().sample->sensor);
+  return 2.0 * sensor.detection.max_range_m / core::kSpeedOfLight_m_s;
+}
+
 struct Stratum {
   double low, high;
 };
@@ -158,6 +164,10 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     if (const auto extra = extraEchoes(replay)) {
       starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
     }
+  }
+  if (const double rate = where.false_echoes_per_shot; rate > 0.0) {
+    if (starts.has("rate_per_beam")) starts.add({{"rate_per_beam", rate}});
+    if (starts.has("rate_1_s")) starts.add({{"rate_1_s", rate / listening_s(replay)}});
   }
   if (starts.has("from_m") && starts.has("to_m")) {
     constexpr double kFar_m = 1e9, kBit_m = 0.01;

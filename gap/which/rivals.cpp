@@ -11,6 +11,7 @@ namespace gap {
 namespace {
 
 constexpr double kApart = 1.5;       // standard deviations of the paired difference of two causes
+constexpr double kDisputed = 1.0;    // the same, at most, of what the held-out samples prefer
 constexpr double kFarBehind = 0.15;  // in merit: no rival, however alike in single cells
 constexpr double kTie = 0.03;        // of what there is to explain: causes this close cannot be told apart
 constexpr std::size_t kRivals = 5;
@@ -63,7 +64,10 @@ std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Can
   if (others.size() > kRivals) others.resize(kRivals);
   std::vector<Rival> rivals;
   for (const Candidate* other : others) {
-    rivals.push_back({other->hypothesis.name, toldApart(quick, exact, best, *other, kTie)});
+    // Held-out samples prefer this one, all samples together the other: two opinions are no answer.
+    const bool disputed = other->merit > best.merit;
+    const double apart = toldApart(quick, exact, best, *other, kTie);
+    rivals.push_back({other->hypothesis.name, disputed ? std::min(apart, kDisputed) : apart});
   }
   return rivals;
 }

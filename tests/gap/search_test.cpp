@@ -51,6 +51,31 @@ TEST_F(Search, FindsAThresholdThatBeginsToActBetweenTwoStepsOfAnEvenSearch) {
   EXPECT_NEAR(found.values[0], 10.7, 0.03 * 10.7);
 }
 
+// A receiver that looks past the beam: 8 m away all light is lost from an offset of 58 mm on, and no larger one does
+// more, so that all of these seem equally good. The right one takes nearly all; a millimetre less leaves twice as much.
+TEST_F(Search, FindsANarrowDipBesideARangeInWhichAllIsLost) {
+  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
+                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  measured_ = world_.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0565}}}}, narrow), 0.4);
+  replay_.emplace(measured_, SmallWorld::modelWith({}, narrow));
+  split_ = gap::splitOf(*replay_, 1);
+  const gap::Scouted found = scouted(effect("aperture-offset"));
+  EXPECT_NEAR(found.values[0], 0.0565, 0.0005);
+}
+
+// One in five hundred shots: three frames of four samples hardly have such an echo, all that was measured has dozens.
+TEST_F(Search, BeginsAtTheRateAtWhichFalseEchoesCame) {
+  measure({{"false-alarm", {{"rate_per_beam", 0.002}}}});
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  const auto starts = gap::startsFrom(*replay_, effect("false-alarm"), where);
+  ASSERT_EQ(starts.size(), 1U);
+  const double shots = 6.0 * 20.0 * 4.0 * 41.0;
+  EXPECT_NEAR(starts[0][0], 0.002, 4.0 * std::sqrt(0.002 / shots));
+  const auto of_pulses = gap::startsFrom(*replay_, effect("crosstalk"), where);
+  ASSERT_FALSE(of_pulses.empty());
+  EXPECT_NEAR(of_pulses[0][0] * 2.0 * 150.0 / 299792458.0, starts[0][0], 1e-9);
+}
+
 TEST_F(Search, TriesEachOfSeveralMechanismsAlone) {
   measure({{"pulse-jitter", {{"duration_stddev_ns", 0.1}}}});
   const gap::Hypothesis jitter = effect("pulse-jitter");

@@ -65,4 +65,24 @@ TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
   EXPECT_EQ(leaderOf({weaker_emitter_, glossy_wall_}), "/sensor/emitter/peak_power_w");
 }
 
+// A cause that leads by all samples together while the held-out ones prefer another is not told from it, however far
+// apart they are.
+TEST_F(Rivals, AreNotToldApartWhereHeldOutSamplesPreferTheOther) {
+  const auto candidate = [&](const std::string& name, double value, double merit) {
+    gap::Candidate single{.hypothesis = *std::find_if(hypotheses_.begin(), hypotheses_.end(),
+                                                      [&](const gap::Hypothesis& h) { return h.name == name; }),
+                          .values = {value}};
+    judge_.hear(single);
+    single.merit = merit;
+    return single;
+  };
+  const gap::Candidate weaker_emitter = candidate("/sensor/emitter/peak_power_w", 45.0, 0.9);
+  for (const double merit : {0.89, 0.91}) {
+    const auto rivals =
+        gap::rivalsOf(judge_, judge_, {weaker_emitter, candidate("atmospheric-attenuation", 60.0, merit)});
+    ASSERT_EQ(rivals.size(), 1U);
+    EXPECT_EQ(rivals[0].tied(), merit > 0.9) << rivals[0].separation;
+  }
+}
+
 }  // namespace
