@@ -148,7 +148,7 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const double named = decision.winner ? kLeastNamed : 0.0;
   const auto beliefOf = [&](const Candidate& candidate) {
     const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
-    return most * std::max(named, beliefIn(judge.yardstick, accounted_for));
+    return most * std::max(named, beliefIn(judge.yardstick, accounted_for, candidate.hypothesis.kind));
   };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
@@ -329,8 +329,10 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const double named =
-        decision.singles.empty() ? 0.0 : beliefIn(judge.yardstick, judge.accountedFor(decision.singles.front()));
+    const auto beliefOf = [&](const Candidate& best) {
+      return beliefIn(judge.yardstick, judge.accountedFor(best), best.hypothesis.kind);
+    };
+    const double named = decision.singles.empty() ? 0.0 : beliefOf(decision.singles.front());
     verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }

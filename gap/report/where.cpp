@@ -110,7 +110,8 @@ void addWhere(report::Page& page, const Diagnosis& diagnosis) {
   } else {
     page.lead(
         "Each line names one kind of difference and the part of the data that concentrates it; the bar says how "
-        "much of that difference lies there, the next column how much of the data.");
+        "much of that difference lies there, the next column how much of the data." +
+        std::string(diagnosis.after ? " What the cause below changes most comes first." : ""));
     addRows(page, diagnosis.where);
     addBlock(page, diagnosis);
   }

@@ -7,6 +7,13 @@
 
 namespace gap {
 
+namespace {
+
+/// To a billionth of a degree, so that the middle of a scan is 0 and not what rounding left of it.
+double roundDegrees(double angle_rad) { return std::round(angle_rad * core::kDegPerRad * 1e9) * 1e-9 + 0.0; }
+
+}  // namespace
+
 std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std::vector<CellStatistics>>& expected) {
   const auto cell = [&replay](const CellPlace& place) -> const Cell& {
     return replay.samples()[place.sample].layout->cells()[place.cell];
@@ -27,9 +34,9 @@ std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std:
     list.push_back(
         {"range_m", true, [cell](const CellPlace& r) { return cell(r).object < 0 ? NAN : cell(r).anchor_m; }, nullptr});
     list.push_back(
-        {"azimuth_deg", true, [beam](const CellPlace& r) { return beam(r).azimuth_rad * core::kDegPerRad; }, nullptr});
-    list.push_back({"elevation_deg", true,
-                    [beam](const CellPlace& r) { return beam(r).elevation_rad * core::kDegPerRad; }, nullptr});
+        {"azimuth_deg", true, [beam](const CellPlace& r) { return roundDegrees(beam(r).azimuth_rad); }, nullptr});
+    list.push_back(
+        {"elevation_deg", true, [beam](const CellPlace& r) { return roundDegrees(beam(r).elevation_rad); }, nullptr});
     list.push_back(
         {"incidence_deg", true,
          [cell](const CellPlace& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; },

@@ -13,13 +13,14 @@ double likelihoodOf(const Rival& rival) { return std::exp(-0.5 * rival.separatio
 
 }  // namespace
 
-double beliefIn(const Yardstick& yardstick, double accounted_for) {
+double beliefIn(const Yardstick& yardstick, double accounted_for, CauseKind kind) {
   struct Curve {
     double even;   // of the gap: a cause that accounts for so much is as likely right as wrong
     double width;  // of that share: from such a cause to one that is hardly ever wrong
   };
-  // Of a small gap chance explains a share, too.
-  const Curve curve = yardstick.z() < Yardstick::kClear_z ? Curve{0.77, 0.15} : Curve{0.65, 0.1};
+  Curve curve{0.65, 0.1};
+  if (kind == CauseKind::kReference) curve = {0.4, 0.1};
+  if (yardstick.z() < Yardstick::kClear_z) curve = {0.77, 0.15};  // of a small gap chance explains a share, too
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 

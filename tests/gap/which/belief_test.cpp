@@ -7,10 +7,12 @@ namespace {
 
 Yardstick gapOf(double z) { return {.baseline = 100.0 + z, .perfect = 100.0, .perfect_spread = 1.0}; }
 
+double effectIn(double z, double accounted_for) { return beliefIn(gapOf(z), accounted_for, CauseKind::kEffect); }
+
 TEST(Belief, GrowsWithTheShareOfTheGapThatACauseAccountsFor) {
   double before = 0.0;
   for (const double accounted_for : {0.0, 0.3, 0.5, 0.65, 0.8, 0.95, 1.0}) {
-    const double belief = beliefIn(gapOf(20.0), accounted_for);
+    const double belief = effectIn(20.0, accounted_for);
     EXPECT_GT(belief, before) << accounted_for;
     before = belief;
   }
@@ -20,14 +22,21 @@ TEST(Belief, GrowsWithTheShareOfTheGapThatACauseAccountsFor) {
 
 TEST(Belief, OfWhatIsNamedIsMoreThanEven) {
   constexpr double kNamedFrom = 0.7;  // docs/diagnosis.md
-  EXPECT_GT(beliefIn(gapOf(20.0), kNamedFrom), 0.5);
-  EXPECT_LT(beliefIn(gapOf(20.0), kNamedFrom - 0.1), 0.5);
+  EXPECT_GT(effectIn(20.0, kNamedFrom), 0.5);
+  EXPECT_LT(effectIn(20.0, kNamedFrom - 0.1), 0.5);
 }
 
 // Of a gap hardly above noise, chance explains a share, too.
 TEST(Belief, IsLessWhereTheGapIsSmall) {
   for (const double accounted_for : {0.5, 0.8, 1.0})
-    EXPECT_LT(beliefIn(gapOf(4.9), accounted_for), 0.95 * beliefIn(gapOf(5.1), accounted_for)) << accounted_for;
+    EXPECT_LT(effectIn(4.9, accounted_for), 0.95 * effectIn(5.1, accounted_for)) << accounted_for;
+}
+
+// Few causes move a surface as a wrong pose does, set-up by set-up; but of a small gap chance explains as much of
+// either.
+TEST(Belief, IsMoreInAReferenceWhereTheGapIsClear) {
+  EXPECT_GT(beliefIn(gapOf(20.0), 0.65, CauseKind::kReference), 0.85);
+  EXPECT_EQ(beliefIn(gapOf(4.0), 0.65, CauseKind::kReference), effectIn(4.0, 0.65));
 }
 
 }  // namespace
