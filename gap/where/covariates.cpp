@@ -10,7 +10,7 @@ namespace gap {
 namespace {
 
 /// To a billionth of a degree, so that the middle of a scan is 0 and not what rounding left of it.
-double roundDegrees(double angle_rad) { return std::round(angle_rad * core::kDegPerRad * 1e9) * 1e-9 + 0.0; }
+double roundDegrees(double angle_rad) { return std::round(angle_rad * core::kDegPerRad * 1e9) / 1e9 + 0.0; }
 
 }  // namespace
 
