@@ -13,6 +13,20 @@ gap::ResidualTable tableOf(const std::vector<double>& values, double error) {
   return table;
 }
 
+/// Where a model without some effects differs from what one with them measured: before and after they are named.
+struct OnceNamed {
+  std::vector<gap::WhereRow> before, after;
+};
+OnceNamed rowsOnceNamed(const test_support::SmallWorld::Effects& effects, double true_reflectivity) {
+  const test_support::SmallWorld world;
+  const auto truth = test_support::SmallWorld::modelWith(effects);
+  const auto measured = world.measuredBy(truth, true_reflectivity);
+  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
+  const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
+  const gap::WhereResult with = gap::whereIn(replay, {truth, {}, {}}, 1);
+  return {without.rows, gap::rowsOfCause(replay, without, with)};
+}
+
 TEST(Where, ExcessIsZeroWhereResidualsAreNoLargerThanTheirErrors) {
   EXPECT_EQ(tableOf({0.01, -0.012, 0.008}, 0.01).excess(), 0.0);
 }
@@ -42,42 +56,25 @@ TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
 // The wall is half as bright again as recorded, which is most of the gap; the offset that the verdict names moves
 // ranges. Where it acts is said first, what it leaves after that.
 TEST(Where, ShowsFirstWhatTheNamedCauseChanges) {
-  const test_support::SmallWorld world;
-  const auto offset = test_support::SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.05}}}});
-  const auto measured = world.measuredBy(offset, 0.6);
-  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
-  const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
-  const gap::WhereResult with = gap::whereIn(replay, {offset, {}, {}}, 1);
-  ASSERT_FALSE(without.rows.empty());
-  EXPECT_EQ(without.rows.front().measurand, "intensity");
-  const std::vector<gap::WhereRow> rows = gap::rowsOfCause(replay, without, with);
-  ASSERT_EQ(rows.size(), without.rows.size());
+  const auto [before, rows] = rowsOnceNamed({{"range-offset", {{"offset_m", 0.05}}}}, 0.6);
+  ASSERT_FALSE(before.empty());
+  EXPECT_EQ(before.front().measurand, "intensity");
+  ASSERT_EQ(rows.size(), before.size());
   EXPECT_EQ(rows.front().measurand, "range");
   EXPECT_NEAR(rows.front().value, 0.05, 0.005);
 }
 
 // One false echo in five hundred shots: no cell has more than noise may give it, all of them together have.
 TEST(Where, EchoesTooRareForAnyCellAreShownOnceTheirCauseIsNamed) {
-  const test_support::SmallWorld world;
-  const auto alarms = test_support::SmallWorld::modelWith({{"false-alarm", {{"rate_per_beam", 0.002}}}});
-  const auto measured = world.measuredBy(alarms, 0.4);
-  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
-  const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
-  const gap::WhereResult with = gap::whereIn(replay, {alarms, {}, {}}, 1);
-  const std::vector<gap::WhereRow> rows = gap::rowsOfCause(replay, without, with);
+  const auto rows = rowsOnceNamed({{"false-alarm", {{"rate_per_beam", 0.002}}}}, 0.4).after;
   ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows.front().measurand, "existence");
   EXPECT_EQ(rows.front().component, "extra");
 }
 
 TEST(Where, MissingEchoesAreNeverExtra) {
-  const test_support::SmallWorld world;
-  const auto truth = test_support::SmallWorld::modelWith({{"false-alarm", {{"rate_per_beam", 0.03}}}});
-  const auto measured = world.measuredBy(truth, 0.4);
-  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
-  const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
-  const gap::WhereResult with = gap::whereIn(replay, {truth, {}, {}}, 1);
-  for (const gap::WhereRow& row : gap::rowsOfCause(replay, without, with)) {
+  const auto rows = rowsOnceNamed({{"false-alarm", {{"rate_per_beam", 0.03}}}}, 0.4).after;
+  for (const gap::WhereRow& row : rows) {
     if (row.component == "extra") {
       EXPECT_GE(row.value, 0.0) << gap::whereSentence(row);
     }
