@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -46,6 +47,19 @@ std::vector<double> thinned(const std::vector<double>& values) {
   return some;
 }
 
+/// The steps of whose multiples no value is farther than its rounding; none where noise is in the values, too.
+std::optional<Comb> stepsThatRoundTo(const std::vector<double>& values, double step, double rounding) {
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+  for (const double value : values) {
+    const double steps = std::round(value / step);
+    if (steps < 1.0) continue;
+    low = std::max(low, (value - rounding) / steps);
+    high = std::min(high, (value + rounding) / steps);
+  }
+  if (low > high) return std::nullopt;
+  return Comb{0.5 * (low + high), 0.5 * (high - low)};
+}
+
 }  // namespace
 
 std::optional<Comb> combOf(std::vector<double> values, double rounding) {
@@ -80,7 +94,8 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   const double place = 1.0 / turns;
   best = boost::math::tools::brent_find_minima(misaligned, best - place, best + place, kBitsOfPeak).first;
   const double step = 1.0 / best;
-  return Comb{step, place * step * step};
+  const auto exact = stepsThatRoundTo(values, step, rounding + kSame);
+  return exact ? *exact : Comb{step, place * step * step};
 }
 
 std::optional<Comb> rangeComb(const Replay& replay) {

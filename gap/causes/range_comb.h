@@ -10,7 +10,8 @@ namespace gap {
 /// Steps of a counter: all values are multiples of one number.
 struct Comb {
   double step;       ///< [unit of the values]
-  double uncertain;  ///< of the step: an eighth of a turn of the farthest value's phase [unit of the values]
+  double uncertain;  ///< of the step: how far all values stay within their rounding; where noise is in them, an eighth
+                     ///< of a turn of the farthest value's phase [unit of the values]
 };
 
 /// The comb on which the values lie, but for rounding of so much to either side: sought about the smallest distance of

@@ -12,6 +12,8 @@ namespace {
 constexpr std::vector<double> core::Detections::*kValues[] = {&core::Detections::range_m, &core::Detections::epw_m,
                                                               &core::Detections::intensity};
 
+constexpr double kRounding =
+    1e-3;  // of the resolution: values that scatter less are one value, and its rounding errors
 constexpr double kStandsOut = 6.0;  // standard deviations: a right model of any kind gives three at most
 
 /// Deviation of every frame from the others: mean over its detections of what each deviates from its cell's mean.
@@ -23,7 +25,8 @@ struct Deviations {
 };
 
 Deviations deviationsOf(const ReplaySample& sample, const core::Detections& detections,
-                        const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values) {
+                        const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values,
+                        double resolution) {
   struct Sums {
     double count = 0.0, sum = 0.0;
   };
@@ -45,8 +48,9 @@ Deviations deviationsOf(const ReplaySample& sample, const core::Detections& dete
     freedom += 1.0 - 1.0 / cell.count;
   }
   Deviations frames;
-  if (of_frame.size() < 2 || freedom <= 0.0 || squares <= 0.0) return frames;
+  if (of_frame.size() < 2 || freedom <= 0.0) return frames;
   const double variance = squares / freedom;  // of one detection
+  if (variance < std::pow(kRounding * resolution, 2.0)) return frames;
   frames.expected = static_cast<double>(of_frame.size()) - 1.0;
   frames.excess = -frames.expected;
   for (const auto& [frame, sums] : of_frame) {
@@ -78,7 +82,8 @@ Seen seenIn(const Judge& judge, Channel channel) {
   Seen seen;
   for (const std::size_t s : judge.split.held_out.samples) {
     const ReplaySample& sample = judge.replay.samples()[s];
-    seen.measured.push_back(deviationsOf(sample, sample.measured, sample.beam_of, sample.measured.*kValues[channel]));
+    seen.measured.push_back(deviationsOf(sample, sample.measured, sample.beam_of, sample.measured.*kValues[channel],
+                                         judge.replay.resolution(channel)));
     seen.stddev += seen.measured.back().variance / static_cast<double>(judge.split.held_out.samples.size());
   }
   seen.stddev = std::sqrt(seen.stddev);
@@ -94,7 +99,8 @@ bool isOfTheBaseline(const Judge& judge, Channel channel) {
     const ReplaySample& sample = replay.samples()[s];
     const core::Detections baseline = replay.detections(replay.baseline(), s, replay.seed());
     const auto beam_of = beamsOfDetections(baseline, sample.beams, {});
-    simulated.push_back(deviationsOf(sample, baseline, beam_of, baseline.*kValues[channel]));
+    simulated.push_back(
+        deviationsOf(sample, baseline, beam_of, baseline.*kValues[channel], replay.resolution(channel)));
   }
   return zOf(simulated) >= kStandsOut;
 }

@@ -49,6 +49,17 @@ TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
   EXPECT_NEAR(comb->step, 0.0482, 2.0 * comb->uncertain);
 }
 
+// A target 58.4 m away is the 218th step: 0.0003 m more a step would put it 0.065 m beside where it is told.
+TEST(RangeComb, KnowsTheStepAsWellAsTheFarthestValueTellsIt) {
+  std::vector<double> values;
+  for (const int first : {25, 30, 39, 47, 54, 70, 84, 103, 130, 153, 176, 218})
+    for (int step = 0; step < 2; ++step) values.push_back(rounded(0.268 * (first + step), 0.005));
+  const auto comb = gap::combOf(values, 0.0025);
+  ASSERT_TRUE(comb);
+  EXPECT_NEAR(comb->step, 0.268, comb->uncertain);
+  EXPECT_LE(comb->uncertain, 0.0025 / 218.0);
+}
+
 TEST(RangeComb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
   core::Random random({.seed = 11});
   std::vector<double> values{4.0};

@@ -1,5 +1,6 @@
 #include "gap/which/frame_mode.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,6 +51,17 @@ TEST_F(Frames, ThatRepeatEachOtherAreNot) {
   EXPECT_FALSE(modeOf(world_.measuredBy(model_, 0.4)));
   const auto noisy = SmallWorld::modelWith({}, {{"/sensor/detection/range_noise_m", 0.045}});
   EXPECT_FALSE(modeOf(world_.measuredBy(noisy, 0.4)));
+}
+
+// A counter of coarse steps tells one value for all; what rounding leaves of their mean is no deviation of frames.
+TEST_F(Frames, ThatAllTellOneValueAreNot) {
+  model::Experiment experiment = world_.measuredBy(model_, 0.4);
+  for (const model::Sample& sample : experiment.samples) {
+    core::Detections detections = model::readMeasurements(experiment, sample);
+    std::fill(detections.range_m.begin(), detections.range_m.end(), 58.425);
+    core::writeDetections(sample.measurements, detections);
+  }
+  EXPECT_FALSE(modeOf(experiment));
 }
 
 // They scatter as range noise of 0.034 m does, detection by detection.
