@@ -6,6 +6,7 @@
 
 #include "core/physics.h"
 #include "gap/distance/extra_echoes.h"
+#include "gap/distance/lost_echoes.h"
 #include "gap/distance/spread.h"
 
 namespace gap {
@@ -176,7 +177,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
 }  // namespace
 
 double discrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
-  double sum = extraDiscrepancy(replay, comparisons, part);
+  double sum = extraDiscrepancy(replay, comparisons, part) + lostDiscrepancy(replay, comparisons, part);
   for (const Comparison& comparison : comparisons) sum += ofSample(replay, comparison, part);
   return sum;
 }
