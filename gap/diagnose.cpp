@@ -9,9 +9,9 @@
 #include "gap/where/pictures.h"
 #include "gap/which/belief.h"
 #include "gap/which/candidates.h"
-#include "gap/which/decision.h"
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
+#include "gap/which/ruling.h"
 #include "model/external/external_runs.h"
 
 namespace gap {
@@ -30,7 +30,6 @@ constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
 constexpr double kBelowCeiling = 0.1;  // of the gap: a cause that leaves so much that follows a law is not the cause
-constexpr double kMuchClearer = 3.0;   // so much more must one part of the samples show than the other
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
@@ -258,27 +257,6 @@ void heedApproximation(Diagnosis& diagnosis) {
   if (!diagnosis.verdict.names.empty()) diagnosis.verdict.confidence *= trust;
 }
 
-/// Samples judge; or every second beam column of all samples, if the gap shows in held-out samples only, or in the
-/// others only.
-Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
-  const Split by_samples = without.applied(splitOf(replay, seed));
-  const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
-  const double z_held = yardstick.z(), z_fitted = yardstickOf(replay, by_samples.fitted).z();
-  const double least = std::min(z_held, z_fitted), most = std::max(z_held, z_fitted);
-  if (most < Yardstick::kClear_z || least >= std::min(Yardstick::kClear_z, most / kMuchClearer))
-    return {replay, by_samples, yardstick};
-  const Split by_beams = without.applied(splitByBeams(replay, seed));
-  return {replay, by_beams, yardstickOf(replay, by_beams.held_out)};
-}
-
-/// Where little is to be explained, edges prove nothing: whether a beam still grazes a bright surface, a millimetre
-/// decides, or the number of rays, and a faint halo explains the few echoes that only one program has.
-Judge withoutEdges(Judge judge) {
-  judge.split.held_out.part.edges = false;
-  judge.yardstick = yardstickOf(judge.replay, judge.split.held_out);
-  return judge;
-}
-
 /// Maps, curves, and what each cause would be taken for.
 void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Decision& decision,
                   Diagnosis& diagnosis) {
@@ -355,21 +333,22 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   std::optional<Replay> few_beams(std::in_place, experiment, model, kQuick, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
-  Judge exact = judgeOf(replay, seed, options.without);
-  const Judge quick = few_beams ? Judge{*few_beams, exact.split, yardstickOf(*few_beams, exact.split.held_out)} : exact;
+  Judge first = judgeOf(replay, seed, options.without);
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
-  const HeldOutGaps gaps(replay, exact.split.held_out.samples, seed);
-  exact.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
+  const HeldOutGaps gaps(replay, first.split.held_out.samples, seed);
+  first.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
 
-  Diagnosis diagnosis = withoutCauses(exact, gaps, where);
+  Diagnosis diagnosis = withoutCauses(first, gaps, where);
   diagnosis.experiment = experiment.id;
   diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();
   const bool material = where.largest_steps >= kMaterialSteps || gaps.material();
   const bool clear = diagnosis.p_value < kSignificance && material;
-  const auto hypotheses = options.without.applied(hypothesesFor(quick.replay, options.library));
-  Decision decision = decide(clear ? quick : withoutEdges(quick), clear ? exact : withoutEdges(exact), gaps, clear,
-                             where, hypotheses, progress);
+  const Replay& quickly = few_beams ? *few_beams : replay;
+  const auto hypotheses = options.without.applied(hypothesesFor(quickly, options.library));
+  auto [quick, exact, decision] = ruleOn({quickly, first.split, yardstickOf(quickly, first.split.held_out)}, first,
+                                         gaps, clear, where, hypotheses, options.without, progress);
+  diagnosis.weak_hold_out = exact.split.weak;
   const std::optional<FrameMode> frames = frameModeOf(exact);
   heedFrames(exact, frames, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "gap/which/cross_fit.h"
+#include "gap/which/exchanges.h"
 #include "gap/which/pairs.h"
 #include "gap/which/significance.h"
 
@@ -282,6 +283,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
   polish(exact, gaps, pairs, where, progress);
   if (pairs.empty()) return false;
+  exchangeMembers(quick, exact, gaps, decision.singles, pairs, progress);
   leadByAll(quick, exact, pairs);
   leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();

@@ -23,6 +23,7 @@ constexpr int kScoutFrames = 4;
 constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
 constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
+constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
 constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
 constexpr std::size_t kPartnered = 2;       // single causes that partners are looked for
 constexpr double kRecalibrations[] = {1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.2};  // of what is recorded of a parameter
@@ -191,7 +192,27 @@ class PairSearch {
     for (std::size_t i = 0; i < singles_.size(); ++i)
       if (pairable(first, i)) append(atoms, suggestedFor(i, where));
     std::vector<Guess> guesses = nearestOf(nearestPartners(first, values, atoms), kPartnersTried);
-    return nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
+    guesses = nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
+    append(guesses, lookedAt(partnersByAll(first, values)));
+    return guesses;
+  }
+
+  /// What goes best with a cause, each as it was fitted alone, by all that is fitted: too few shots are scouted to see
+  /// a loss or a false echo that is rare.
+  [[nodiscard]] std::vector<Guess> partnersByAll(std::size_t first, const std::vector<double>& values) const {
+    std::vector<Guess> guesses;
+    for (std::size_t i = 0; i < singles_.size(); ++i)
+      if (pairable(first, i)) guesses.push_back({first, i, joined(values, singles_[i].values)});
+    const auto distanceOf = [&](const World& world) {
+      return discrepancyOf(judge_.replay, world, judge_.split.fitted);
+    };
+    core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+      core::stopIfCancelled(progress_);
+      guesses[g].distance = distanceOf(worldOf(judge_.replay, hypothesisOf(guesses[g]), guesses[g].values));
+    });
+    const double alone = distanceOf(worldOf(judge_.replay, singles_[first].hypothesis, values));
+    std::erase_if(guesses, [&](const Guess& guess) { return alone - guess.distance < Judge::kNatsPerNumber; });
+    return nearestOf(std::move(guesses), kPartnersOfAll);
   }
 
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,

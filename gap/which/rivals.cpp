@@ -93,8 +93,8 @@ std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) 
   for (const std::size_t kept : {0U, 1U}) {
     for (const std::size_t same : {0U, 1U}) {
       const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
-      const bool effects = own.kind == CauseKind::kEffect && another.kind == CauseKind::kEffect;
-      if (effects && ours[kept].name == theirs[same].name && own.name != another.name)
+      const bool named = own.kind == CauseKind::kEffect && another.kind != CauseKind::kParameter;
+      if (named && ours[kept].name == theirs[same].name && own.name != another.name)
         return Rival{another.name, 0.0, own.name};
     }
   }

@@ -27,11 +27,11 @@ struct Rival {
 [[nodiscard]] std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact,
                                              const std::vector<Candidate>& candidates);
 
-/// The effect that one pair has in place of one of another pair, which are otherwise the same; its separation is left
-/// open. None where a recalibration is exchanged: it would not be named (leadByEffects).
+/// The cause that one pair has in place of an effect of another pair, which are otherwise the same; its separation is
+/// left open. None where that is a parameter: it would not be named (leadByEffects).
 [[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
 
-/// Effects that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
+/// Causes that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
 /// rival is as near if it is so by the measure of what the other one adds, the share `added`.
 [[nodiscard]] std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact,
                                                const std::vector<Candidate>& pairs, double added);

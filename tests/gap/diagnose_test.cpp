@@ -261,6 +261,30 @@ TEST(Diagnose, NamesBothOfTwoEffectsThoughOneIsSmallBesideTheOther) {
 
 // What the fog leaves where all data are pooled is that every wall stands 2 cm beside its recorded place, as it may.
 // The gains of the layers change nothing of that, but without them what is left in single cells is a gap of its own.
+// Of a hundred shots one is lost, which no few frames show.
+TEST(Diagnose, NamesARareLossBesideALargerCause) {
+  const SmallWorld world;
+  const auto truth =
+      SmallWorld::modelWith({{"clock-drift", {{"scale_ppm", 2000}}}, {"detection-loss", {{"probability", 0.008}}}});
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("clock-drift", "detection-loss"));
+}
+
+// The gate takes the farthest wall only, which is held out: of the samples that are fitted none can tell of it.
+TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"clock-drift", {{"scale_ppm", 2000}}}, {"range-gating", {{"from_m", 0.0}, {"to_m", 40.0}}}});
+  model::Experiment experiment = world.measuredBy(truth, 0.4);
+  for (model::Sample& sample : experiment.samples) {
+    if (sample.id == "r46") sample.role = model::Role::kPrediction;
+    if (sample.id == "r36") sample.role = model::Role::kValidation;
+  }
+  const gap::Diagnosis diagnosis = diagnosed(experiment, SmallWorld::modelWith({}));
+  EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("clock-drift", "range-gating"));
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+}
+
 TEST(Diagnose, NamesASecondCauseThatPooledDataHide) {
   SmallWorld world;
   world.knownToWithin(0.025);

@@ -1,0 +1,73 @@
+#include "gap/which/exchanges.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/parallel.h"
+#include "gap/far/how_far.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kOfEachMember = 3;
+
+/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept; of each name one.
+std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
+                                     const std::vector<Candidate>& singles) {
+  std::vector<Candidate> others;
+  for (const Candidate& single : singles) {
+    const Hypothesis& h = single.hypothesis;
+    if (h.per_setup || h.name == member.hypothesis.name || h.name == kept.hypothesis.name) continue;
+    others.push_back({.hypothesis = together(kept.hypothesis, h), .values = joined(kept.values, single.values)});
+  }
+  core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
+    const World world = worldOf(quick.replay, others[i].hypothesis, others[i].values);
+    others[i].discrepancy = discrepancyOf(quick.replay, world, quick.split.fitted);
+  });
+  std::stable_sort(others.begin(), others.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.discrepancy < b.discrepancy; });
+  std::vector<Candidate> nearest;
+  for (Candidate& other : others) {
+    const bool known = std::any_of(nearest.begin(), nearest.end(),
+                                   [&](const Candidate& c) { return c.hypothesis.name == other.hypothesis.name; });
+    if (!known && nearest.size() < kOfEachMember) nearest.push_back(std::move(other));
+  }
+  return nearest;
+}
+
+bool samePair(const Candidate& a, const Candidate& b) {
+  const auto &x = a.hypothesis.members, &y = b.hypothesis.members;
+  const auto same = [](const Hypothesis& p, const Hypothesis& q) { return formOf(p) == formOf(q); };
+  return (same(x[0], y[0]) && same(x[1], y[1])) || (same(x[0], y[1]) && same(x[1], y[0]));
+}
+
+}  // namespace
+
+void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                     const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
+                     const core::Progress& progress) {
+  const std::vector<Candidate> members = membersOf(pairs.front());
+  std::vector<Candidate> others;
+  for (const std::size_t kept : {0U, 1U}) {
+    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles))
+      others.push_back(std::move(other));
+  }
+  core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
+    Candidate& other = others[i];
+    other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);
+    other.total_left = gaps.leftIn(worldOf(exact.replay, other.hypothesis, other.values));
+    exact.hear(other);
+  });
+  for (Candidate& other : others) {
+    const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Candidate& p) { return samePair(p, other); });
+    if (known == pairs.end()) {
+      pairs.push_back(std::move(other));
+    } else if (better(other, *known)) {
+      *known = std::move(other);
+    }
+  }
+  sortByMerit(pairs);
+}
+
+}  // namespace gap

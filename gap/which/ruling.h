@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gap/which/ablation.h"
+#include "gap/which/decision.h"
+
+namespace gap {
+
+/// Samples judge; or every second beam column of all samples, if the gap shows in held-out samples only, or in the
+/// others only.
+[[nodiscard]] Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without);
+
+/// What was decided, and who judged.
+struct Ruling {
+  Judge quick, exact;
+  Decision decision;
+};
+
+/// Decides; where what the best cause alone leaves shows in held-out samples only, or in the others only, a second one
+/// acts there of which the samples that are fitted cannot tell enough: then beams of all samples decide, if they name
+/// anything. `clear`: the gap is beyond doubt; where it is not, edges prove nothing, for a millimetre decides whether a
+/// beam still grazes a bright surface, or the number of rays, and a faint halo explains the few echoes that only one
+/// program has.
+[[nodiscard]] Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
+                            const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
+                            const Ablation& without, core::Progress& progress);
+
+}  // namespace gap
