@@ -19,12 +19,21 @@ struct Particles {
   double slope_1_m = 1.0;         ///< Λ
   double area_over_sphere = 1.0;  ///< cross-section over π D²/4; D is the melted diameter
   double backscatter_1_sr = 0.0;  ///< radiant intensity sent back over power caught
+  double smallest_m = 0.0;        ///< melted diameter
+};
+
+/// What is known of drops of rain no better than to a factor: the lidar ratio of soft_target.h is that of spheres, and
+/// drops flatten as they fall; and the exponential law has too many small ones (Marshall & Palmer 1948, below 1.5 mm).
+struct Drops {
+  double lidar_ratio_sr = kLidarRatioOfDroplets_sr;
+  double smallest_mm = 0.0;
 };
 
 /// Marshall & Palmer 1948: N_0 = 8000 /(m³ mm), Λ = 4.1 R^-0.21 /mm. A drop catches twice its cross-section (half of it
-/// is diffraction) and sends 1/S of that back, with S of soft_target.h.
-Particles rain(double rate_mm_h) {
-  return {8000.0 / kMillimetre, 4.1 * std::pow(rate_mm_h, -0.21) / kMillimetre, 1.0, 2.0 / kLidarRatioOfDroplets_sr};
+/// is diffraction) and sends 1/S of that back.
+Particles rain(double rate_mm_h, const Drops& drops) {
+  return {8000.0 / kMillimetre, 4.1 * std::pow(rate_mm_h, -0.21) / kMillimetre, 1.0, 2.0 / drops.lidar_ratio_sr,
+          drops.smallest_mm * kMillimetre};
 }
 
 /// Gunn & Marshall 1958: N_0 = 3800 R^-0.87 /(m³ mm), Λ = 2.55 R^-0.48 /mm, R and D of the melted water. Taken as
@@ -54,7 +63,9 @@ class Field {
   }
   /// Diameter from which on a particle counts.
   [[nodiscard]] double leastDiameter_m(double range_m) const {
-    return range_m * std::sqrt(footprint_m2(range_m) * least_share_m2_ / (area_over_sphere_ * std::numbers::pi / 4.0));
+    const double least_area_m2 = footprint_m2(range_m) * least_share_m2_;
+    return std::max(kind_.smallest_m,
+                    range_m * std::sqrt(least_area_m2 / (area_over_sphere_ * std::numbers::pi / 4.0)));
   }
   [[nodiscard]] double number_1_m(double range_m) const {
     return footprint_m2(range_m) * kind_.number_1_m4 / kind_.slope_1_m *
@@ -131,7 +142,8 @@ void Field::draw(const BeamView& view, core::Random& random, std::vector<Particl
 ///   P = η A_r P_t · b · χ(r) · σ / (A(r) r²),  A(r) = (w + r φ_h)(r φ_v + w)     hence r^-2 near, r^-4 far
 ///
 ///   σ  cross-section of the particle; b its backscatter per sr; χ overlap (model/overlap.h)
-///   A  footprint of the beam, which leaves the sensor w wide; the share σ / A of the power does not go on
+///   A  footprint of the beam, which leaves the sensor w wide; the share σ / A of the power does not go on, and as
+///      much of what returns, so that many particles attenuate both ways as a haze does
 ///
 /// Poisson in number, anew in every shot, uniform over the footprint. Only particles that alone reach a tenth of the
 /// profile's threshold at the beam's full power are drawn: the others are many and weak, and stand in
@@ -143,12 +155,14 @@ class PrecipitationClutter final : public Effect {
   explicit PrecipitationClutter(const EffectParameters& parameters)
       : rain_rate_mm_h_(parameters.number("rain_rate_mm_h")),
         snow_rate_mm_h_(parameters.numberOr("snow_rate_mm_h", 0.0)),
-        window_m_(parameters.numberOr("window_m", 0.01)) {}
+        window_m_(parameters.numberOr("window_m", 0.01)),
+        drops_{parameters.numberOr("lidar_ratio_sr", kLidarRatioOfDroplets_sr),
+               parameters.numberOr("smallest_drop_mm", 0.0)} {}
 
   void prepare(ChainSettings& settings, const Environment& environment) override {
     const bool given = rain_rate_mm_h_ || snow_rate_mm_h_ > 0.0;
     const double rain_rate_mm_h = given ? rain_rate_mm_h_.value_or(0.0) : environment.rain_rate_mm_h.value_or(0.0);
-    if (rain_rate_mm_h > 0.0) fields_.emplace_back(rain(rain_rate_mm_h), settings, window_m_);
+    if (rain_rate_mm_h > 0.0) fields_.emplace_back(rain(rain_rate_mm_h, drops_), settings, window_m_);
     if (snow_rate_mm_h_ > 0.0) fields_.emplace_back(snow(snow_rate_mm_h_), settings, window_m_);
   }
   [[nodiscard]] bool disturbs() const override { return !fields_.empty(); }
@@ -169,7 +183,8 @@ class PrecipitationClutter final : public Effect {
    public:
     explicit Shadows(std::vector<Field::Particle>& particles) : particles_(particles) {
       std::stable_sort(particles.begin(), particles.end(), nearer);
-      for (const Field::Particle& particle : particles) left_.push_back(left_.back() * (1.0 - particle.blocked));
+      for (const Field::Particle& particle : particles)
+        left_.push_back(left_.back() * (1.0 - particle.blocked) * (1.0 - particle.blocked));
     }
     [[nodiscard]] double lightBehind(double range_m) const {
       const auto beyond = std::lower_bound(particles_.begin(), particles_.end(), Field::Particle{range_m}, nearer);
@@ -185,6 +200,7 @@ class PrecipitationClutter final : public Effect {
   std::optional<double> rain_rate_mm_h_;
   double snow_rate_mm_h_;
   double window_m_;
+  Drops drops_;
   std::vector<Field> fields_;
 };
 
@@ -199,9 +215,14 @@ EffectEntry precipitationClutter() {
                                    "Rain rate; without any rate the experiment's environment", false, 10.0},
                                   {"snow_rate_mm_h", "mm/h", 0.0, 20.0, 0.0, "Snowfall, as melted water", false, 2.0},
                                   {"window_m", "m", 0.001, 0.1, 0.01, "Width of the beam where it leaves the sensor",
-                                   true, 0.01}},
+                                   true, 0.01},
+                                  {"lidar_ratio_sr", "sr", 9.4, 37.6, kLidarRatioOfDroplets_sr,
+                                   "Light that a drop of rain takes over what it sends back per sr", true, 18.8},
+                                  {"smallest_drop_mm", "mm", 0.0, 1.0, 0.0, "Diameter of the smallest drops of rain",
+                                   false, 0.5}},
                    .fitted = {"rain_rate_mm_h"},
-                   .other_forms = {{"snow", {"snow_rate_mm_h"}}},
+                   .other_forms = {{"snow", {"snow_rate_mm_h"}},
+                                   {"other drops", {"rain_rate_mm_h", "lidar_ratio_sr", "smallest_drop_mm"}, true}},
                    .source = "Marshall & Palmer 1948; Gunn & Marshall 1958; Rasshofer et al. 2011, "
                              "doi:10.5194/ars-9-49-2011"},
           .make = makeFrom<PrecipitationClutter>};

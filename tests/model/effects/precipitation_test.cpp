@@ -17,9 +17,20 @@ double constant_w_m2() { return lab::radarEquation(1.0, std::numbers::pi); }
 struct Kind {
   json parameters;
   double number_1_m4, slope_1_m, area, backscatter_1_sr;
+  double smallest_m = 0.0;
 };
 
 Kind rain() { return {{{"rain_rate_mm_h", 20}, {"window_m", 0.02}}, 8e6, 4100 * std::pow(20, -0.21), 1.0, 2.0 / 18.8}; }
+
+/// Without its small drops, and each sends less back.
+Kind otherRain() {
+  Kind kind = rain();
+  kind.parameters["lidar_ratio_sr"] = 30;
+  kind.parameters["smallest_drop_mm"] = 0.8;
+  kind.backscatter_1_sr = 2.0 / 30.0;
+  kind.smallest_m = 0.8e-3;
+  return kind;
+}
 
 Kind snow() {
   return {{{"snow_rate_mm_h", 2}, {"window_m", 0.02}},
@@ -44,7 +55,7 @@ double footprint_m2(double range_m) { return std::pow(0.02 + 0.003 * range_m, 2)
 double diameterOf(double power_w, double range_m, const Kind& kind) {
   const double area_m2 =
       power_w * footprint_m2(range_m) * range_m * range_m / (constant_w_m2() * kind.backscatter_1_sr);
-  return std::sqrt(area_m2 / (kind.area * std::numbers::pi / 4.0));
+  return std::max(kind.smallest_m, std::sqrt(area_m2 / (kind.area * std::numbers::pi / 4.0)));
 }
 
 double meanNumberAbove(double power_w, const Kind& kind) {
@@ -58,20 +69,21 @@ double meanNumberAbove(double power_w, const Kind& kind) {
 }
 
 /// Powers of a shot's particles without the shade of nearer ones: b = P r² / (C · backscatter) is the share that one
-/// takes from all behind it.
+/// takes from all behind it, both ways.
 void addUnshaded(std::vector<Pulse> pulses, const Kind& kind, std::vector<double>& powers_w) {
   std::sort(pulses.begin(), pulses.end(), [](const Pulse& a, const Pulse& b) { return a.range_m < b.range_m; });
   double light = 1.0;
   for (const Pulse& pulse : pulses) {
     powers_w.push_back(pulse.power_w / light);
-    light *= 1.0 - powers_w.back() * pulse.range_m * pulse.range_m / (constant_w_m2() * kind.backscatter_1_sr);
+    const double blocked = powers_w.back() * pulse.range_m * pulse.range_m / (constant_w_m2() * kind.backscatter_1_sr);
+    light *= (1.0 - blocked) * (1.0 - blocked);
   }
 }
 
 // Expected number from distribution and beam volume; a Poisson count, four standard errors.
 TEST(PrecipitationClutter, NumberOverPowerFollowsSizeDistributionAndBeam) {
   constexpr int kFrames = 3000;
-  for (const Kind& kind : {rain(), snow()}) {
+  for (const Kind& kind : {rain(), otherRain(), snow()}) {
     const lab::ShotBench bench(in(kind));
     std::vector<double> powers_w;
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -86,8 +98,8 @@ TEST(PrecipitationClutter, NumberOverPowerFollowsSizeDistributionAndBeam) {
   }
 }
 
-// Campbell's formula for a Poisson process: E Π (1 - b_i) = exp(-E Σ b_i), and E Σ b = ∫ dr ∫ N(D) σ(D) dD above the
-// least diameter. Four standard errors of the mean.
+// Campbell's formula for a Poisson process: E Π (1 - b_i)² = exp(-E Σ (2 b_i - b_i²)), and E Σ b = ∫ dr ∫ N(D) σ(D) dD
+// above the least diameter, E Σ b² = ∫ dr ∫ N(D) σ(D)²/A(r) dD. Four standard errors of the mean.
 TEST(PrecipitationClutter, ParticlesShadeWhatLiesBehind) {
   const Kind kind = rain();
   lab::Case setup = in(kind);
@@ -101,9 +113,11 @@ TEST(PrecipitationClutter, ParticlesShadeWhatLiesBehind) {
     for (const Pulse& pulse : pulses) ASSERT_LE(pulse.range_m, 15.0);
   }
   const double blocked = lab::integral(kNearest_m, 15.0, [&](double r) {
-    const double d = diameterOf(0.1 * lab::kThreshold_w, r, kind), s = kind.slope_1_m;
-    return kind.number_1_m4 * std::numbers::pi / 4.0 * std::exp(-s * d) *
-           (d * d / s + 2 * d / (s * s) + 2 / (s * s * s));
+    const double d = diameterOf(0.1 * lab::kThreshold_w, r, kind), s = kind.slope_1_m, disc = std::numbers::pi / 4.0;
+    const double squares = d * d / s + 2 * d / (s * s) + 2 / (s * s * s);
+    const double fourth = std::pow(d, 4) / s + 4 * std::pow(d, 3) / std::pow(s, 2) + 12 * d * d / std::pow(s, 3) +
+                          24 * d / std::pow(s, 4) + 24 / std::pow(s, 5);
+    return kind.number_1_m4 * disc * std::exp(-s * d) * (2.0 * squares - disc / footprint_m2(r) * fourth);
   });
   EXPECT_GT(blocked, 1e-3);
   EXPECT_NEAR(lab::mean(light), std::exp(-blocked), 4.0 * lab::deviation(light) / std::sqrt(4000.0));
