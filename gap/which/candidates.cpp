@@ -173,6 +173,8 @@ double Yardstick::explained(double discrepancy, double self) const {
   return (baseline - discrepancy) / whole_way;
 }
 
+double Yardstick::noiseOfShare() const { return std::sqrt(2.0) * perfect_spread / whole(); }
+
 double Yardstick::z() const { return (baseline - perfect) / std::max(1e-9, perfect_spread); }
 
 double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }

@@ -39,6 +39,8 @@ struct Yardstick {
   /// Share of what there is to explain; `self` is the discrepancy that a world has to itself under other noise: one
   /// that loses detections at random cannot come closer than that.
   [[nodiscard]] double explained(double discrepancy, double self) const;
+  /// Noise of that share.
+  [[nodiscard]] double noiseOfShare() const;
   /// How far the baseline stands above noise, in standard deviations of noise.
   [[nodiscard]] double z() const;
   /// Of so large a distance by chance.

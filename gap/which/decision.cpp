@@ -9,6 +9,7 @@
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
 #include "gap/which/pairs.h"
+#include "gap/which/second_cause.h"
 #include "gap/which/significance.h"
 
 namespace gap {
@@ -17,14 +18,8 @@ namespace {
 
 constexpr double kAccountsFor = 0.7;     // of the gap: what accounts for less is as likely wrong as right
 constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
-constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
-constexpr double kMaterialCells = 0.08;  // or of the discrepancy
-constexpr double kPooledRest = 0.2;      // of the total gap: the cells may not show it, as they do not show rare echoes
-constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
-constexpr double kLeastGain = 0.05;      // in that,
-constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
+constexpr double kHarmedCells = 0.08;    // of the discrepancy: a counter that costs more is not there
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
-constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
 constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
 constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
@@ -44,15 +39,6 @@ VerdictKind kindOf(CauseKind kind) {
   }
   return VerdictKind::kUnknown;
 }
-
-/// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
-/// beyond what a right model keeps.
-struct LeftOver {
-  double discrepancy = 1.0;
-  double total = 1.0;
-};
-
-LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
 
 /// A fit of two may have found better values for one of them than the fit of one did, and then the other is for
 /// nothing: every single cause for which some pair has better values is judged anew with these.
@@ -83,35 +69,6 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
     if (better(candidate, *single)) *single = std::move(candidate);
   }
   sortByMerit(singles);
-}
-
-/// Noise of the share of the gap that a cause explains.
-double noiseOfShare(const Yardstick& yardstick) {
-  return std::sqrt(2.0) * yardstick.perfect_spread / yardstick.whole();
-}
-
-/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
-/// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
-/// all data are pooled.
-bool roomForASecond(const Judge& judge, const Candidate& best) {
-  const LeftOver left = leftBy(best);
-  const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
-  if (material && (left.total > kPooledRest || left.discrepancy > 3.0 * noiseOfShare(judge.yardstick))) return true;
-  return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
-}
-
-/// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
-/// the total gap; and what helps the cells must not harm the total gap.
-bool earnsItsSecond(const Judge& judge, const Candidate& single, const Candidate& pair) {
-  const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
-  const auto halves = [](double before, double after) {
-    return after < kPairGain * before && before - after > kLeastGain;
-  };
-  const bool no_larger = of_pair.total < of_single.total + kMaterialRest;
-  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
-  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
-  const bool smaller = of_pair.total < kTotalGain * of_single.total;
-  return of_pair.discrepancy < of_single.discrepancy && (closer || accounts || smaller);
 }
 
 /// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
@@ -145,8 +102,8 @@ std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOut
   std::vector<Candidate> pair{
       {.hypothesis = together(best.hypothesis, seen->hypothesis), .values = joined(best.values, seen->values)}};
   polish(judge, gaps, pair, where, progress);
-  const LeftOver alone = leftBy(best), both = leftBy(pair.front());
-  const bool harms = both.discrepancy > alone.discrepancy + kMaterialCells || both.total > kMostRestOfPair;
+  const double alone = std::min(1.0, best.explained), both = std::min(1.0, pair.front().explained);
+  const bool harms = both < alone - kHarmedCells || pair.front().total_left > kMostRestOfPair;
   return harms ? std::nullopt : std::optional(pair.front());
 }
 
@@ -239,39 +196,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
 
 /// The share of the gap that a cause must account for to be named.
 double enoughToName(const Yardstick& yardstick) {
-  return std::max(kWeakGap, kAccountsFor - 2.0 * noiseOfShare(yardstick));
-}
-
-/// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
-/// the gap that is: if it halves what is left where all data are pooled, or if what that member leaves would itself be
-/// a gap beyond doubt.
-bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
-  const double left_by_single = restOf(judge, single);
-  if (left_by_single < kNoRest || restOf(judge, pair) > kNoRest) return false;
-  const bool halves = pair.total_left < kPairGain * single.total_left;
-  const bool beyond_doubt = left_by_single > Yardstick::kClear_z && pair.total_left < single.total_left + kMaterialRest;
-  return halves || beyond_doubt;
-}
-
-/// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
-/// on as much as a small effect does, so nothing may be left with both. Otherwise the reference is to be corrected
-/// first.
-bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, const Candidate& pair) {
-  const auto& members = pair.hypothesis.members;
-  return best.hypothesis.kind == CauseKind::kReference &&
-         std::any_of(members.begin(), members.end(),
-                     [&](const Hypothesis& member) { return member.name == best.hypothesis.name; }) &&
-         restOf(judge, pair) > kNoRest;
-}
-
-/// Whether a pair is nearer to the data than its better member by more than luck: on held-out samples, or on all, where
-/// every number more that was fitted has its price.
-bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, const Candidate& best) {
-  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
-  const double least_on_all =
-      std::sqrt(kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * std::max(0.0, more));
-  return separation(exact, pair, best) >= kSecondProven ||
-         separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
+  return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -288,10 +213,8 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
-      !isNearer(quick, exact, pair, best) || explainsWhatAReferenceLeaves(exact, best, pair))
+      !earnsItsSecond(quick, exact, best, pair))
     return false;
-  const bool earned = earnsItsSecond(exact, best, pair) || leavesNothing(exact, best, pair);
-  if (!earned) return false;
   decision.name(pair);
   pairs.front() = *decision.winner;  // its members in the same order
   decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));

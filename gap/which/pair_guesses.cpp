@@ -1,0 +1,309 @@
+#include "gap/which/pair_guesses.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/parallel.h"
+#include "gap/causes/starts.h"
+#include "gap/which/signature_fit.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kScoutSamples = 4;
+constexpr int kScoutFrames = 4;
+constexpr std::size_t kScoutBeams = 120;
+constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
+constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
+constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
+constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
+constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
+constexpr std::size_t kLookedAt = 16;       // causes whose sums come nearest, and as many that are best alone
+constexpr std::size_t kAtomsOfACause = 3;   // whose sums come nearest, of causes that are not best alone
+constexpr double kMostErrors = 100.0;       // of a shift
+
+/// Of what is recorded of a parameter; between two of them shifts are interpolated.
+constexpr double kRecalibrations[] = {1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.2};
+constexpr int kPartsOfAStep = 4;
+
+/// Of shifts, as much as counts in a distance.
+Eigen::MatrixXf near(const Eigen::MatrixXf& shifts) {
+  constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
+  return shifts.cwiseMax(-kFar).cwiseMin(kFar);
+}
+
+template <typename T>
+void append(std::vector<T>& to, std::vector<T> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
+Eigen::VectorXf columnOf(const Signature& signature) {
+  return Eigen::Map<const Eigen::VectorXf>(signature.data(), static_cast<Eigen::Index>(signature.size()));
+}
+
+std::vector<Guess> nearestOf(std::vector<Guess> guesses, std::size_t count) {
+  std::stable_sort(guesses.begin(), guesses.end(),
+                   [](const Guess& a, const Guess& b) { return a.distance < b.distance; });
+  if (guesses.size() > count) guesses.erase(guesses.begin() + static_cast<std::ptrdiff_t>(count), guesses.end());
+  return guesses;
+}
+
+/// With every first cause the nearest guess.
+std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses) {
+  std::set<std::size_t> taken;
+  guesses = nearestOf(std::move(guesses), guesses.size());
+  std::erase_if(guesses, [&](const Guess& guess) { return !taken.insert(guess.first).second; });
+  return guesses;
+}
+
+}  // namespace
+
+PairGuesses::PairGuesses(const Judge& judge, const std::vector<Candidate>& singles, const core::Progress& progress)
+    : judge_(judge),
+      singles_(singles),
+      progress_(progress),
+      scout_(judge.replay.thinner(kScoutBeams)),
+      scouted_(spreadOver(judge.split.fitted, kScoutSamples, kScoutFrames)),
+      space_(scout_, scouted_.samples, kScoutFrames, scouted_.seed, kMostErrors) {
+  lookAtAtoms();
+}
+
+std::size_t PairGuesses::numbersOf(std::size_t single) const { return singles_[single].hypothesis.parameters.size(); }
+
+double PairGuesses::distanceOf(const Hypothesis& hypothesis, const std::vector<double>& values) const {
+  return discrepancyOf(scout_, worldOf(scout_, hypothesis, values), scouted_);
+}
+
+bool PairGuesses::pairable(std::size_t a, std::size_t b) const {
+  const Hypothesis &x = singles_[a].hypothesis, &y = singles_[b].hypothesis;
+  return a != b && !x.per_setup && !y.per_setup && x.name != y.name;
+}
+
+/// Every cause at its fitted values, at others all over its range, and where the residuals suggest, with what each
+/// does to the data.
+void PairGuesses::lookAtAtoms() {
+  const WhereResult where = whereIn(scout_, scout_.baseline(), scouted_.seed);
+  for (std::size_t i = 0; i < singles_.size(); ++i) {
+    const Hypothesis& hypothesis = singles_[i].hypothesis;
+    if (hypothesis.per_setup) continue;
+    atoms_.push_back({i, singles_[i].values});
+    for (auto& values : valuesAllOver(hypothesis)) atoms_.push_back({i, std::move(values)});
+    append(atoms_, suggestedFor(i, where));
+  }
+  whole_.resize(static_cast<Eigen::Index>(space_.size()), static_cast<Eigen::Index>(atoms_.size()));
+  core::parallelFor(atoms_.size(), 1, [&](std::size_t a, std::size_t) {
+    core::stopIfCancelled(progress_);
+    const World world = worldOf(scout_, singles_[atoms_[a].single].hypothesis, atoms_[a].values);
+    whole_.col(static_cast<Eigen::Index>(a)) = columnOf(space_.of(world));
+  });
+  signatures_ = near(whole_);
+}
+std::vector<PairGuesses::Atom> PairGuesses::suggestedFor(std::size_t single, const WhereResult& where) const {
+  std::vector<Atom> atoms;
+  for (auto& values : startsFrom(judge_.replay, singles_[single].hypothesis, where))
+    atoms.push_back({single, std::move(values)});
+  return atoms;
+}
+
+std::vector<Guess> PairGuesses::nearestSums() const {
+  const Eigen::MatrixXf products = signatures_.transpose() * signatures_;
+  const Eigen::VectorXf along = signatures_.transpose() * near(columnOf(space_.ofMeasurement()));
+  std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    for (std::size_t b = a + 1; b < atoms_.size(); ++b) {
+      if (!pairable(atoms_[a].single, atoms_[b].single)) continue;
+      const auto x = static_cast<Eigen::Index>(a), y = static_cast<Eigen::Index>(b);
+      const double distance =
+          static_cast<double>(products(x, x) + products(y, y) + 2.0F * products(x, y) - 2.0F * (along(x) + along(y)));
+      const auto [known, added] = nearest.try_emplace({atoms_[a].single, atoms_[b].single});
+      if (!added && distance >= known->second.distance) continue;
+      known->second = {atoms_[a].single, atoms_[b].single, joined(atoms_[a].values, atoms_[b].values), distance};
+    }
+  }
+  std::vector<Guess> guesses;
+  for (auto& [pair, guess] : nearest) guesses.push_back(std::move(guess));
+  return lookedAt(nearestOf(std::move(guesses), kSumsFitted));
+}
+
+/// Of the causes that, added to what this one does, come nearest to the measurement the nearest atoms; and all of
+/// those that are best alone: echoes from nowhere are in no signature.
+std::vector<PairGuesses::Atom> PairGuesses::likelyBeside(std::size_t first, const World& world) const {
+  const Eigen::VectorXf left = near(columnOf(space_.ofMeasurement())) - near(columnOf(space_.of(world)));
+  const Eigen::VectorXf distances = (signatures_.colwise() - left).colwise().squaredNorm();
+  std::vector<std::size_t> order;
+  for (std::size_t a = 0; a < atoms_.size(); ++a)
+    if (pairable(first, atoms_[a].single)) order.push_back(a);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return distances[static_cast<Eigen::Index>(a)] < distances[static_cast<Eigen::Index>(b)];
+  });
+  std::vector<Atom> likely;
+  std::map<std::size_t, std::size_t> taken;  // atoms of each cause
+  for (const std::size_t a : order) {
+    const std::size_t single = atoms_[a].single;
+    const bool near = taken.contains(single) || taken.size() < kLookedAt;
+    const bool enough = single >= kLookedAt && taken.contains(single) && taken.at(single) == kAtomsOfACause;
+    if (enough || (!near && single >= kLookedAt)) continue;
+    ++taken[single];
+    likely.push_back(atoms_[a]);
+  }
+  return likely;
+}
+
+std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
+  const World world = worldOf(scout_, singles_[first].hypothesis, values);
+  std::vector<Atom> atoms = likelyBeside(first, world);
+  const WhereResult where = whereIn(scout_, world, scouted_.seed);
+  for (std::size_t i = 0; i < singles_.size(); ++i)
+    if (pairable(first, i)) append(atoms, suggestedFor(i, where));
+  std::vector<Guess> guesses = nearestOf(nearestPartners(first, values, atoms), kPartnersTried);
+  guesses = nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
+  append(guesses, lookedAt(partnersByAll(first, values)));
+  return guesses;
+}
+
+/// What goes best with a cause, each as it was fitted alone, by all that is fitted: too few shots are scouted to see
+/// a loss or a false echo that is rare.
+std::vector<Guess> PairGuesses::partnersByAll(std::size_t first, const std::vector<double>& values) const {
+  std::vector<Guess> guesses;
+  for (std::size_t i = 0; i < singles_.size(); ++i)
+    if (pairable(first, i)) guesses.push_back({first, i, joined(values, singles_[i].values)});
+  const auto distanceOf = [&](const World& world) { return discrepancyOf(judge_.replay, world, judge_.split.fitted); };
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    core::stopIfCancelled(progress_);
+    guesses[g].distance = distanceOf(worldOf(judge_.replay, hypothesisOf(guesses[g]), guesses[g].values));
+  });
+  const double alone = distanceOf(worldOf(judge_.replay, singles_[first].hypothesis, values));
+  std::erase_if(guesses, [&](const Guess& guess) { return alone - guess.distance < Judge::kNatsPerNumber; });
+  return nearestOf(std::move(guesses), kPartnersOfAll);
+}
+
+std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::vector<double>& values,
+                                                const std::vector<Atom>& atoms) const {
+  const Hypothesis& hypothesis = singles_[first].hypothesis;
+  std::vector<double> distances(atoms.size());
+  core::parallelFor(atoms.size(), 1, [&](std::size_t a, std::size_t) {
+    core::stopIfCancelled(progress_);
+    const Hypothesis both = together(hypothesis, singles_[atoms[a].single].hypothesis);
+    distances[a] = distanceOf(both, joined(values, atoms[a].values));
+  });
+  std::map<std::size_t, Guess> nearest;
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    const auto [known, added] = nearest.try_emplace(atoms[a].single);
+    if (!added && distances[a] >= known->second.distance) continue;
+    known->second = {first, atoms[a].single, joined(values, atoms[a].values), distances[a]};
+  }
+  std::vector<Guess> guesses;
+  for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+  return guesses;
+}
+
+/// Whether other numbers of a cause send the rays other ways: then every look at it takes long.
+bool PairGuesses::tracesAnew(const Hypothesis& hypothesis, const std::vector<double>& values) const {
+  std::vector<double> others;
+  for (const FreeParameter& parameter : hypothesis.parameters) others.push_back(0.5 * (parameter.low + parameter.high));
+  const model::Sample& sample = *scout_.samples()[scouted_.samples.front()].sample;
+  return geometryKey(worldOf(scout_, hypothesis, values), sample) !=
+         geometryKey(worldOf(scout_, hypothesis, others), sample);
+}
+
+/// The guesses with the second cause's numbers where they serve the first one best: a cause of several numbers is
+/// seldom right at any place that was looked at.
+std::vector<Guess> PairGuesses::withFittedPartners(std::vector<Guess> guesses) const {
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    Guess& guess = guesses[g];
+    const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
+    const std::vector<double> fixed(guess.values.begin(), middle), start(middle, guess.values.end());
+    const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
+    if (tracesAnew(added, start)) return;
+    const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, start, progress_);
+    const double distance = distanceOf(added, fitted);
+    if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
+  });
+  return guesses;
+}
+
+std::vector<Guess> PairGuesses::besideRecalibration() const {
+  std::vector<std::size_t> parameters;
+  for (std::size_t i = 0; i < singles_.size(); ++i)
+    if (singles_[i].hypothesis.kind == CauseKind::kParameter) parameters.push_back(i);
+  std::vector<std::vector<Guess>> beside(parameters.size());
+  core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) { beside[p] = hiddenBy(parameters[p]); });
+  std::vector<Guess> guesses;
+  for (auto& some : beside) append(guesses, std::move(some));
+  return lookedAt(nearestOf(nearestOfEachFirst(std::move(guesses)), kHiddenFitted));
+}
+
+/// Of every effect the place and the value of the parameter whose shifts together come nearest to the measurement.
+std::vector<Guess> PairGuesses::hiddenBy(std::size_t parameter) const {
+  const Eigen::VectorXf measured = columnOf(space_.ofMeasurement());
+  std::map<std::size_t, Guess> nearest;
+  for (const auto& [value, shifts] : stepsOf(parameter)) {
+    core::stopIfCancelled(progress_);
+    const Eigen::VectorXf left = measured - shifts;
+    for (std::size_t a = 0; a < atoms_.size(); ++a) {
+      if (singles_[atoms_[a].single].hypothesis.kind != CauseKind::kEffect) continue;
+      const double distance = near(left - whole_.col(static_cast<Eigen::Index>(a))).squaredNorm();
+      const auto [known, added] = nearest.try_emplace(atoms_[a].single);
+      if (!added && distance >= known->second.distance) continue;
+      known->second = {atoms_[a].single, parameter, joined(atoms_[a].values, {value}), distance};
+    }
+  }
+  std::vector<Guess> guesses;
+  for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+  return guesses;
+}
+
+/// Values of a parameter to both sides of what is recorded, and what they do: some by simulation, those between them
+/// by interpolation.
+std::vector<std::pair<double, Eigen::VectorXf>> PairGuesses::stepsOf(std::size_t parameter) const {
+  const Hypothesis& hypothesis = singles_[parameter].hypothesis;
+  const FreeParameter& p = hypothesis.parameters[0];
+  std::vector<std::pair<double, Eigen::VectorXf>> steps;
+  for (const bool up : {false, true}) {
+    double last = p.start;
+    Eigen::VectorXf before = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(space_.size()));
+    for (const double factor : kRecalibrations) {
+      const double value = std::clamp(up ? p.start * factor : p.start / factor, p.low, p.high);
+      if (value == last) break;
+      const Eigen::VectorXf shifts = columnOf(space_.of(worldOf(scout_, hypothesis, {value})));
+      for (int part = 1; part <= kPartsOfAStep; ++part) {
+        const float share = static_cast<float>(part) / kPartsOfAStep;
+        steps.emplace_back(last + static_cast<double>(share) * (value - last), before + share * (shifts - before));
+      }
+      last = value;
+      before = shifts;
+    }
+  }
+  return steps;
+}
+
+/// Guesses that came from signatures, with their distances from the data.
+std::vector<Guess> PairGuesses::lookedAt(std::vector<Guess> guesses) const {
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    Guess& guess = guesses[g];
+    guess.distance = distanceOf(hypothesisOf(guess), guess.values);
+  });
+  return guesses;
+}
+Hypothesis PairGuesses::hypothesisOf(const Guess& guess) const {
+  return together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
+}
+
+std::vector<Guess> PairGuesses::improved(std::vector<Guess> guesses) const {
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    Guess& guess = guesses[g];
+    const Hypothesis both = hypothesisOf(guess);
+    if (tracesAnew(both, guess.values)) return;
+    const std::vector<double> fitted = signatureFitFrom(scout_, space_, both, guess.values, progress_);
+    const double distance = distanceOf(both, fitted);
+    if (distance < guess.distance) guess = {guess.first, guess.second, fitted, distance};
+  });
+  return nearestOf(std::move(guesses), guesses.size());
+}
+
+}  // namespace gap

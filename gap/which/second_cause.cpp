@@ -1,0 +1,90 @@
+#include "gap/which/second_cause.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/which/significance.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kMaterialRest = 0.04;   // pairs are tried if the best cause leaves more of the total gap,
+constexpr double kMaterialCells = 0.08;  // or of the discrepancy
+constexpr double kPooledRest = 0.2;      // of the total gap: the cells may not show it, as they do not show rare echoes
+constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
+constexpr double kLeastGain = 0.05;      // in that,
+constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
+constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
+constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
+
+/// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
+/// beyond what a right model keeps.
+struct LeftOver {
+  double discrepancy = 1.0;
+  double total = 1.0;
+};
+
+LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
+
+/// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
+/// the total gap; and what helps the cells must not harm the total gap.
+bool earnsByShare(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
+  const auto halves = [](double before, double after) {
+    return after < kPairGain * before && before - after > kLeastGain;
+  };
+  const bool no_larger = of_pair.total < of_single.total + kMaterialRest;
+  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
+  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
+  const bool smaller = of_pair.total < kTotalGain * of_single.total;
+  return of_pair.discrepancy < of_single.discrepancy && (closer || accounts || smaller);
+}
+
+/// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
+/// the gap that is: if it halves what is left where all data are pooled, or if what that member leaves would itself be
+/// a gap beyond doubt.
+bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const double left_by_single = restOf(judge, single);
+  if (left_by_single < kNoRest || restOf(judge, pair) > kNoRest) return false;
+  const bool halves = pair.total_left < kPairGain * single.total_left;
+  const bool beyond_doubt = left_by_single > Yardstick::kClear_z && pair.total_left < single.total_left + kMaterialRest;
+  return halves || beyond_doubt;
+}
+
+/// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
+/// on as much as a small effect does, so nothing may be left with both. Otherwise the reference is to be corrected
+/// first.
+bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, const Candidate& pair) {
+  const auto& members = pair.hypothesis.members;
+  return best.hypothesis.kind == CauseKind::kReference &&
+         std::any_of(members.begin(), members.end(),
+                     [&](const Hypothesis& member) { return member.name == best.hypothesis.name; }) &&
+         restOf(judge, pair) > kNoRest;
+}
+
+/// Whether a pair is nearer to the data than its better member by more than luck: on held-out samples, or on all, where
+/// every number more that was fitted has its price.
+bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, const Candidate& best) {
+  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
+  const double least_on_all =
+      std::sqrt(kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * std::max(0.0, more));
+  return separation(exact, pair, best) >= kSecondProven ||
+         separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
+}
+
+}  // namespace
+
+bool roomForASecond(const Judge& judge, const Candidate& best) {
+  const LeftOver left = leftBy(best);
+  const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
+  if (material && (left.total > kPooledRest || left.discrepancy > 3.0 * judge.yardstick.noiseOfShare())) return true;
+  return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
+}
+
+bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
+  return isNearer(quick, exact, pair, best) && !explainsWhatAReferenceLeaves(exact, best, pair) &&
+         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, pair));
+}
+
+}  // namespace gap

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
+/// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
+/// all data are pooled.
+[[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best);
+
+/// Whether a pair is nearer to the data than the best single cause by more than luck, and by so much, or so little
+/// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
+/// docs/diagnosis.md gives the reasons for the bounds.
+[[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair);
+
+}  // namespace gap
