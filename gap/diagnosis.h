@@ -104,7 +104,7 @@ struct Diagnosis {
   std::optional<AsRun> as_run;  ///< with `after`, of the built-in lidar
   std::vector<std::string> held_out;
   std::vector<SampleTotals> held_out_totals;   ///< of each of them, if a cause was added
-  bool weak_hold_out = false;                  ///< no sample could be held out whole
+  bool weak_hold_out = false;                  ///< beams of all samples judged: too few samples show the gap
   std::vector<std::string> notes;              ///< what a person should know of the data, sentences
   std::optional<Approximation> approximation;  ///< if the model under test is not the built-in lidar
   std::optional<NextExperiment> next_experiment;

@@ -82,7 +82,7 @@ std::string confidenceMeaning(const Diagnosis& diagnosis) {
     text += " The data tell little: " + core::join(diagnosis.verdict.limits, "; ") + ".";
   if (diagnosis.weak_hold_out) {
     text +=
-        " Too few samples were there to keep some aside whole, so the answer was checked on other beams of the same "
+        " Too few samples show the gap to keep some aside whole, so the answer was checked on other beams of the same "
         "samples: record further set-ups to be surer.";
   }
   return text;
@@ -98,17 +98,17 @@ std::string evidenceText(const Diagnosis& diagnosis) {
 
 std::string shrinkText(const Diagnosis& diagnosis) {
   const std::vector<std::string>& beside = diagnosis.verdict.beside;
+  const char* judged =
+      diagnosis.weak_hold_out ? "samples of which the fit saw one half of the beams" : "samples that the fit never saw";
   if (diagnosis.shrink.fraction <= 0.0)
     return fmt::format(
         "Not at all, pooled over all beams: {} before, {} after. Beam by beam the simulation with the cause agrees "
-        "with "
-        "samples that the fit never saw; pooled data hide what evens out between beams.",
-        core::significant(diagnosis.before.total), core::significant(diagnosis.after->total));
+        "with {}; pooled data hide what evens out between beams.",
+        core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged);
   return fmt::format(
-      "By {} (90 % interval {}), from {} to {}, on samples that the fit never saw{}. 100 % would be perfect agreement, "
-      "which noise does not allow.",
+      "By {} (90 % interval {}), from {} to {}, on {}{}. 100 % would be perfect agreement, which noise does not allow.",
       percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
-      core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
+      core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged,
       beside.empty() ? "" : fmt::format(", with the {} corrected as well", causeTitle(diagnosis, beside.front())));
 }
 

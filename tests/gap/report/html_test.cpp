@@ -198,9 +198,11 @@ TEST(GapPage, OfTwoCausesNamesBothAndOfATieItsRival) {
 TEST(GapPage, SaysWhenDataAreSyntheticAndWhenNoSampleCouldBeHeldOut) {
   gap::Diagnosis d = fogDiagnosis();
   EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("Synthetic data")));
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("samples that the fit never saw"));
   d.synthetic = d.weak_hold_out = true;
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("Synthetic data"));
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("other beams of the same samples"));
+  EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("samples that the fit never saw")));
   d.verdict.limits = {"there is one sample only"};
   d.notes = {"The intensity was not measured."};
   EXPECT_THAT(gap::reportHtml(d), HasSubstr("The data tell little: there is one sample only."));
