@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMostStrata = 4;                           // of azimuth, and of range
 constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
 constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
+constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};       // of the echo separation: within it two echoes are one
 
 /// Where the echoes are that no surface makes, if they lie together: medians, and the width of an even distribution
 /// with their median deviation.
@@ -68,10 +69,13 @@ std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
   return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
 }
 
+const model::SensorProfile& sensorOf(const Replay& replay) {
+  return replay.baseline().model.sensor(replay.samples().front().sample->sensor);
+}
+
 /// How long the receiver listens after a shot. [s]
 double listening_s(const Replay& replay) {
-  const model::SensorProfile& sensor = replay.baseline().model.sensor(replay.samples().front().sample->sensor);
-  return 2.0 * sensor.detection.max_range_m / core::kSpeedOfLight_m_s;
+  return 2.0 * sensorOf(replay).detection.max_range_m / core::kSpeedOfLight_m_s;
 }
 
 struct Stratum {
@@ -153,9 +157,11 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
                                      {"width_deg", a.high - a.low + 2.0 * half_deg}};
       if (!starts.has("range_m")) starts.add(there);
       for (const Stratum& r : ranges) {
-        Starts::Setting at = there;
-        at.emplace_back("range_m", (r.low + r.high) / 2.0);
-        if (starts.has("range_m")) starts.add(at);
+        for (const double pull : kPulls) {  // a false target pulls the echo that it merges with
+          Starts::Setting at = there;
+          at.emplace_back("range_m", (r.low + r.high) / 2.0 + pull * sensorOf(replay).detection.echo_separation_m);
+          if (starts.has("range_m")) starts.add(at);
+        }
       }
     }
     if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});

@@ -76,6 +76,23 @@ TEST_F(Search, BeginsAtTheRateAtWhichFalseEchoesCame) {
   EXPECT_NEAR(of_pulses[0][0] * 2.0 * 150.0 / 299792458.0, starts[0][0], 1e-9);
 }
 
+// Within the echo separation, 0.8 m, two echoes are one, and its range lies between them.
+TEST_F(Search, LooksForAFalseTargetOnBothSidesOfTheEchoThatItMayPull) {
+  measure({});
+  gap::WhereResult where;
+  where.rows.push_back({.measurand = "range", .covariate = "azimuth_deg", .low = 4.0, .high = 6.0});
+  where.rows.push_back({.measurand = "range", .covariate = "range_m", .low = 13.0, .high = 13.2});
+  std::vector<double> ranges_m;
+  for (const auto& start : gap::startsFrom(*replay_, effect("spoofing"), where)) {
+    EXPECT_DOUBLE_EQ(start[0], 5.0);  // azimuth_deg
+    ranges_m.push_back(start[1]);
+  }
+  using testing::DoubleNear;
+  EXPECT_THAT(ranges_m,
+              testing::UnorderedElementsAre(DoubleNear(12.7, 1e-9), DoubleNear(12.9, 1e-9), DoubleNear(13.1, 1e-9),
+                                            DoubleNear(13.3, 1e-9), DoubleNear(13.5, 1e-9)));
+}
+
 TEST_F(Search, TriesEachOfSeveralMechanismsAlone) {
   measure({{"pulse-jitter", {{"duration_stddev_ns", 0.1}}}});
   const gap::Hypothesis jitter = effect("pulse-jitter");
