@@ -29,8 +29,14 @@ Judge withoutEdges(Judge judge) {
   return judge;
 }
 
+bool holdsDetections(const Replay& replay, const Evidence& evidence) {
+  return std::any_of(evidence.samples.begin(), evidence.samples.end(),
+                     [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
+}
+
 bool leavesOnePartOnly(const Judge& judge, const Decision& decision) {
   if (judge.split.weak || decision.singles.empty() || decision.pair()) return false;
+  if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
   const Candidate& best = decision.singles.front();
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;

@@ -80,10 +80,12 @@ TEST(Diagnose, NamesACounterBesideTheFogThatHidesIt) {
   const auto truth = SmallWorld::modelWith(
       {{"atmospheric-attenuation", {{"visibility_m", 150}}}, {"quantisation", {{"range_step_m", 0.0437}}}});
   const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
-  EXPECT_EQ(diagnosis.verdict.names, (std::vector<std::string>{"atmospheric-attenuation", "quantisation"}));
+  EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("atmospheric-attenuation", "quantisation"));
   ASSERT_GE(diagnosis.causes.size(), 2U);
-  EXPECT_NEAR(diagnosis.causes[0].parameters.at(0).value, 150.0, 7.5);
-  EXPECT_NEAR(diagnosis.causes[1].parameters.at(0).value, 0.0437, 2e-5);
+  for (const std::size_t member : {0U, 1U}) {
+    const bool fog = diagnosis.causes[member].name == "atmospheric-attenuation";
+    EXPECT_NEAR(diagnosis.causes[member].parameters.at(0).value, fog ? 150.0 : 0.0437, fog ? 7.5 : 2e-5);
+  }
 }
 
 TEST(Diagnose, FindsASectorOfDirtOnTheCover) {
