@@ -258,14 +258,14 @@ void heedApproximation(Diagnosis& diagnosis) {
 }
 
 /// Maps, curves, and what each cause would be taken for.
-void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Decision& decision,
-                  Diagnosis& diagnosis) {
-  const Evidence& held_out = exact.split.held_out;
+void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Evidence& held_out,
+                  const Decision& decision, Diagnosis& diagnosis) {
   const World world = winnersWorld(exact.replay, decision);
   diagnosis.maps = residualMaps(exact.replay, where.tables);
   diagnosis.curves = beforeAfterValues(exact.replay, where.tables, held_out.samples, decision.winner ? &world : nullptr,
                                        held_out.seed);
-  diagnosis.confusion = confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), held_out);
+  diagnosis.confusion =
+      confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), exact.split.held_out);
 }
 
 /// Of the winner; of the best cause where none was found good enough.
@@ -333,6 +333,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   std::optional<Replay> few_beams(std::in_place, experiment, model, kQuick, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
+  // Whoever decides, the samples that this one holds out say how far the gap shrinks.
   Judge first = judgeOf(replay, seed, options.without);
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
   const HeldOutGaps gaps(replay, first.split.held_out.samples, seed);
@@ -364,10 +365,10 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   fillCauses(exact, gaps, decision, frames.has_value(), diagnosis, progress);
   if (decision.winner) {
     fillWinner(quick, exact, decision, after, diagnosis, progress);
-    if (!given.external) diagnosis.as_run = asRun(experiment, model, exact.split.held_out, decision, progress);
+    if (!given.external) diagnosis.as_run = asRun(experiment, model, first.split.held_out, decision, progress);
   }
   fillVerdict(exact, decision, diagnosis);
-  fillPictures(quick, exact, where, decision, diagnosis);
+  fillPictures(quick, exact, where, first.split.held_out, decision, diagnosis);
   diagnosis.notes = notesOn(replay);
   if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));

@@ -12,8 +12,7 @@ namespace {
 constexpr std::vector<double> core::Detections::*kValues[] = {&core::Detections::range_m, &core::Detections::epw_m,
                                                               &core::Detections::intensity};
 
-constexpr double kRounding =
-    1e-3;  // of the resolution: values that scatter less are one value, and its rounding errors
+constexpr double kRounding = 1e-3;  // of the resolution: values that scatter less are one, and rounding
 constexpr double kStandsOut = 6.0;  // standard deviations: a right model of any kind gives three at most
 
 /// Deviation of every frame from the others: mean over its detections of what each deviates from its cell's mean.

@@ -285,6 +285,9 @@ TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
   const gap::Diagnosis diagnosis = diagnosed(experiment, SmallWorld::modelWith({}));
   EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("clock-drift", "range-gating"));
   EXPECT_TRUE(diagnosis.weak_hold_out);
+  // How far the gap shrinks is said of the held-out samples all the same.
+  EXPECT_THAT(diagnosis.held_out, testing::ElementsAre("r19", "r46"));
+  EXPECT_NEAR(diagnosis.as_run->before_total, diagnosis.before.total, 0.1 * diagnosis.before.total);
 }
 
 TEST(Diagnose, NamesASecondCauseThatPooledDataHide) {
