@@ -48,12 +48,14 @@ double errorOf(double squared_noise, const Replay& replay, const ReplaySample& s
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
+/// Detections per frame of one cell. Nothing counts up to one standard error: a world that loses as many shots as were
+/// lost would pay for each of them that another cell lost, and its rate come out low.
 double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
   const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
   const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
   const double error =
       variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor + of_power * of_power;
-  return robustLoss((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
+  return groupLoss((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
 }
 
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.

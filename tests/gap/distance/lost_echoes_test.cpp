@@ -36,18 +36,21 @@ TEST(LostEchoes, OfOneShotInTwoHundredStandOutOverAllSamples) {
 
 TEST(LostEchoes, OfOneShotInTwoHundredAreMissedWhereNoneWereLost) { EXPECT_LT(nearerWith(0.005, 0.0), -10.0); }
 
+/// Statistics of one sample of a model without losses, whose cells have lost so many of 20 shots, by turns.
+std::vector<gap::CellStatistics> keeping(const gap::Replay& replay, double even_lost, double odd_lost) {
+  std::vector<gap::CellStatistics> statistics(replay.samples()[0].layout->cells().size());
+  for (std::size_t c = 0; c < replay.samples()[0].layout->surfaces(); ++c)
+    statistics[c].count = 20.0 - (c % 2 == 0 ? even_lost : odd_lost);
+  return statistics;
+}
+
 /// Discrepancy in losses, of one sample whose beams all lose this many of 20 shots on both sides.
 double ofLosses(double measured, double simulated) {
   const SmallWorld world;
   const model::Experiment experiment = world.measuredBy(losing(0.0), 0.4);
   const gap::Replay replay(experiment, SmallWorld::modelWith({}));
-  const auto keeping = [&](double lost) {
-    std::vector<gap::CellStatistics> statistics(replay.samples()[0].layout->cells().size());
-    for (gap::CellStatistics& cell : statistics) cell.count = 20.0 - lost;
-    return statistics;
-  };
-  const auto m = keeping(measured);
-  const std::vector<gap::Comparison> comparisons{{0, m, 20, keeping(simulated), 20}};
+  const auto m = keeping(replay, measured, measured);
+  const std::vector<gap::Comparison> comparisons{{0, m, 20, keeping(replay, simulated, simulated), 20}};
   return gap::lostDiscrepancy(replay, comparisons, {});
 }
 
@@ -56,6 +59,20 @@ TEST(LostEchoes, AreKnownToATenthOfThemselves) {
   EXPECT_EQ(ofLosses(0.0, 0.0), 0.0);
   EXPECT_EQ(ofLosses(10.0, 10.2), 0.0);
   EXPECT_GT(ofLosses(0.0, 0.2), 10.0);
+}
+
+// A world that loses as many shots as were lost, elsewhere, must not pay for each of them: its rate would come out low.
+TEST(LostEchoes, CostNothingWhereAsManyAreLostInOtherCells) {
+  const SmallWorld world;
+  const model::Experiment experiment = world.measuredBy(losing(0.0), 0.4);
+  const gap::Replay replay(experiment, SmallWorld::modelWith({}));
+  const auto m = keeping(replay, 1.0, 0.0);
+  const auto discrepancyTo = [&](double even_lost, double odd_lost) {
+    const std::vector<gap::Comparison> comparisons{{0, m, 20, keeping(replay, even_lost, odd_lost), 20}};
+    return gap::discrepancy(replay, comparisons, {});
+  };
+  EXPECT_DOUBLE_EQ(discrepancyTo(0.0, 1.0), discrepancyTo(1.0, 0.0));
+  EXPECT_GT(discrepancyTo(0.0, 20.0), discrepancyTo(1.0, 0.0) + 100.0);
 }
 
 }  // namespace
