@@ -19,6 +19,7 @@ constexpr double kSureRate = 0.5;     // detections per frame: no group has cell
 constexpr double kRateFloor = 0.03;   // detections per frame and cell
 constexpr double kLostCell = 20.0;    // z per channel of a surface that only one side detects in every frame
 constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
+constexpr double kMostlyDetected = 0.7;    // of the shots, on both sides: what is lost there is rare
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
 constexpr std::size_t kGroups = 6;         // groups of like power in which rates are compared
 
@@ -48,14 +49,13 @@ double errorOf(double squared_noise, const Replay& replay, const ReplaySample& s
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 
-/// Detections per frame of one cell. Nothing counts up to one standard error: a world that loses as many shots as were
-/// lost would pay for each of them that another cell lost, and its rate come out low.
-double rateTerm(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
+/// How far the detections per frame of one cell are apart, in standard errors.
+double rateDifference(double measured, int measured_frames, double simulated, int simulated_frames, double of_power) {
   const double rate = (measured + simulated + 0.5) / (measured_frames + simulated_frames + 1.0);
   const double variance = std::max(1e-4, rate <= 1.0 ? rate * (1.0 - rate) : rate);
   const double error =
       variance / measured_frames + variance / simulated_frames + kRateFloor * kRateFloor + of_power * of_power;
-  return groupLoss((measured / measured_frames - simulated / simulated_frames) / std::sqrt(error));
+  return (measured / measured_frames - simulated / simulated_frames) / std::sqrt(error);
 }
 
 /// Detections per frame, pooled over groups of cells: a loss or a false alarm that is rare in every cell.
@@ -146,7 +146,12 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     const bool often =
         std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected && !cells[c].at_edge;
     if (!sample.layout->pooled() && (surface || often)) {
-      result += rateTerm(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * sample.power_deviation[c]);
+      const double z =
+          rateDifference(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * sample.power_deviation[c]);
+      // A world that loses as many shots as were lost would pay for each that another cell lost: its rate would come
+      // out low. So rare losses do not count one by one where lostDiscrepancy sees all of them.
+      const bool rare = std::min(m.count / measured_frames, s.count / simulated_frames) >= kMostlyDetected;
+      result += rare && surface && losesNothing(cells[c]) ? groupLoss(z) : robustLoss(z);
     }
     if (!surface && !often) continue;
     if (surface) surfaces.push_back(c);

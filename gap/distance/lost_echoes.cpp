@@ -11,12 +11,12 @@ namespace gap {
 
 namespace {
 
-constexpr double kSure = 2.0;      // times the threshold: it is four times the noise or more, so noise takes none
+constexpr double kSure = 2.0;      // times the threshold
 constexpr double kFloor = 0.001;   // of the shots
 constexpr double kOfLosses = 0.1;  // programs agree no better on losses that are not rare
 constexpr double kOneMore = 0.5;   // loss on each side: none seen is no proof of a rate of zero
 
-/// Shots at sure surfaces, and those without an echo.
+/// Shots at such surfaces, and those without an echo.
 struct Losses {
   double shots = 0.0, lost = 0.0;
 
@@ -43,6 +43,8 @@ struct BothSides {
 
 }  // namespace
 
+bool losesNothing(const Cell& cell) { return !cell.at_edge && cell.power_over_threshold >= kSure; }
+
 double lostDiscrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
   std::map<std::string, BothSides> by_sensor;
   for (const Comparison& comparison : comparisons) {
@@ -51,7 +53,7 @@ double lostDiscrepancy(const Replay& replay, std::span<const Comparison> compari
     BothSides& sides = by_sensor[sample.sample->sensor];
     for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
       const Cell& cell = sample.layout->cells()[c];
-      if (cell.at_edge || cell.power_over_threshold < kSure || !takesPart(sample, cell, part)) continue;
+      if (!losesNothing(cell) || !takesPart(sample, cell, part)) continue;
       sides.measured.add(comparison.measured[c], comparison.measured_frames);
       sides.simulated.add(comparison.simulated[c], comparison.simulated_frames);
       sides.cells += 1.0;
