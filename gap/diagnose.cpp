@@ -74,7 +74,6 @@ Cause toCause(const Candidate& candidate) {
 Diagnosis withoutCauses(const Judge& judge, const HeldOutGaps& gaps, const WhereResult& where) {
   Diagnosis diagnosis;
   diagnosis.where = where.rows;
-  diagnosis.weak_hold_out = judge.split.weak;
   for (const std::size_t s : judge.split.held_out.samples)
     diagnosis.held_out.push_back(judge.replay.samples()[s].sample->id);
   diagnosis.p_value = judge.yardstick.p_value();

@@ -155,12 +155,15 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     for (const Stratum& a : azimuths) {
       const Starts::Setting there = {{"azimuth_deg", (a.low + a.high) / 2.0},
                                      {"width_deg", a.high - a.low + 2.0 * half_deg}};
-      if (!starts.has("range_m")) starts.add(there);
+      if (!starts.has("range_m")) {
+        starts.add(there);
+        continue;
+      }
       for (const Stratum& r : ranges) {
         for (const double pull : kPulls) {  // a false target pulls the echo that it merges with
           Starts::Setting at = there;
           at.emplace_back("range_m", (r.low + r.high) / 2.0 + pull * sensorOf(replay).detection.echo_separation_m);
-          if (starts.has("range_m")) starts.add(at);
+          starts.add(at);
         }
       }
     }

@@ -21,7 +21,6 @@ constexpr double kWeakGap = 0.40;        // the least share, where the gap is ha
 constexpr double kHarmedCells = 0.08;    // of the discrepancy: a counter that costs more is not there
 constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
 constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
-constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
 constexpr double kLeastShrink = 0.05;    // of the total gap: of causes that move rays: less may be how edges cut beams
 constexpr std::size_t kLookedAt = 8;     // of best merit, and as many that gain most: they may prove themselves

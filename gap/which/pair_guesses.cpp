@@ -1,7 +1,6 @@
 #include "gap/which/pair_guesses.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -35,11 +34,6 @@ constexpr int kPartsOfAStep = 4;
 Eigen::MatrixXf near(const Eigen::MatrixXf& shifts) {
   constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
   return shifts.cwiseMax(-kFar).cwiseMin(kFar);
-}
-
-template <typename T>
-void append(std::vector<T>& to, std::vector<T> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(to));
 }
 
 Eigen::VectorXf columnOf(const Signature& signature) {
@@ -103,6 +97,7 @@ void PairGuesses::lookAtAtoms() {
   });
   signatures_ = near(whole_);
 }
+
 std::vector<PairGuesses::Atom> PairGuesses::suggestedFor(std::size_t single, const WhereResult& where) const {
   std::vector<Atom> atoms;
   for (auto& values : startsFrom(judge_.replay, singles_[single].hypothesis, where))
@@ -290,6 +285,7 @@ std::vector<Guess> PairGuesses::lookedAt(std::vector<Guess> guesses) const {
   });
   return guesses;
 }
+
 Hypothesis PairGuesses::hypothesisOf(const Guess& guess) const {
   return together(singles_[guess.first].hypothesis, singles_[guess.second].hypothesis);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,12 @@ struct Guess {
   std::vector<double> values;         ///< of both
   double distance = 0.0;
 };
+
+/// Moves all of `more` behind the others.
+template <typename T>
+void append(std::vector<T>& to, std::vector<T> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
 
 /// Which two of many causes may be at work together, and with which numbers: many worlds are looked at, on few beams
 /// and frames, before few are fitted.

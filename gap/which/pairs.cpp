@@ -55,10 +55,6 @@ class PairSearch {
     double discrepancy = 0.0;  ///< on the samples that were fitted, after a rough fit
   };
 
-  template <typename T>
-  static void append(std::vector<T>& to, std::vector<T> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(to));
-  }
   /// Whether these two causes were fitted together already, and came as near to the data as this guess.
   [[nodiscard]] bool known(const Guess& guess) const {
     return std::any_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) {

@@ -16,7 +16,6 @@ constexpr double kPairGain = 0.5;        // a pair must halve what its best memb
 constexpr double kLeastGain = 0.05;      // in that,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
-constexpr double kNoRest = 3.0;          // standard deviations: no more is left than under the cause's own noise
 
 /// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
 /// beyond what a right model keeps.

@@ -4,6 +4,9 @@
 
 namespace gap {
 
+/// Standard deviations: no more is left than a cause leaves under its own noise.
+inline constexpr double kNoRest = 3.0;
+
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
 /// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
 /// all data are pooled.

@@ -1,7 +1,6 @@
 #include "gap/which/exchanges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <gtest/gtest.h>
 
 #include "gap/far/how_far.h"
