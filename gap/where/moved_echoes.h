@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gap/where/where.h"
+#include "gap/where/residual_tables.h"
 
 namespace gap {
 

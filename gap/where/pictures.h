@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gap/replay/replay.h"
-#include "gap/where/where.h"
+#include "gap/where/residual_tables.h"
 
 namespace gap {
 

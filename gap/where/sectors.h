@@ -2,9 +2,15 @@
 
 #include <vector>
 
-#include "gap/where/where.h"
+#include "gap/where/residual_tables.h"
 
 namespace gap {
+
+/// Azimuths from one to another.
+struct Sector {
+  double from_deg = 0.0;
+  double to_deg = 0.0;
+};
 
 /// The sectors that explain residuals best, best first: of each table the one that leaves least variance if the
 /// residuals, in their errors, have one mean inside and another outside (Fisher 1958, J. Am. Stat. Assoc. 53, 789, of

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/json_object.h"
+#include "gap/where/where.h"
 #include "model/simulate.h"
 #include "tests/gap/small_world.h"
 

@@ -1,0 +1,111 @@
+#include "gap/where/residual_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/distance/discrepancy.h"
+
+namespace gap {
+
+namespace {
+
+constexpr double kExistenceScale = 0.01;  // the total gap counts existence in per cent of the simulated echoes
+
+}  // namespace
+
+double ResidualTable::Row::beyondError() const { return std::sqrt(std::max(0.0, value * value - 4.0 * error * error)); }
+
+double ResidualTable::sumBeyondErrors() const {
+  double sum = 0.0;
+  for (const Row& row : rows) sum += row.weight * row.beyondError();
+  return sum;
+}
+
+double ResidualTable::excess() const {
+  double weight = 0.0;
+  for (const Row& row : rows) weight += row.weight;
+  return weight > 0.0 ? sumBeyondErrors() / weight / scale : 0.0;
+}
+
+double ResidualTable::sign() const { return component == "missing" ? -1.0 : component == "extra" ? 1.0 : 0.0; }
+
+double ResidualTable::commonShift() const {
+  double sum = 0.0, weight = 0.0, variance = 0.0;
+  for (const Row& row : rows) {
+    sum += row.weight * row.value;
+    weight += row.weight;
+    variance += row.weight * row.weight * row.error * row.error;
+  }
+  if (sign() * sum < 0.0) return 0.0;
+  return weight > 0.0 && std::abs(sum) > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
+}
+
+const model::Measurand& measurandOf(const Replay& replay, Channel channel) {
+  const auto& measurands = replay.experiment().measurands;
+  const auto carried = std::find_if(measurands.begin(), measurands.end(), [&](const model::Measurand& m) {
+    return m.name == nameOf(channel) || m.column == columnOf(channel);
+  });
+  return *carried;  // a replay has no other channels
+}
+
+namespace {
+
+void addValues(const Replay& replay, const Sides& sides, Channel channel, std::vector<ResidualTable>& tables) {
+  const model::Measurand& measurand = measurandOf(replay, channel);
+  ResidualTable bias{measurand.name, "bias", measurand.unit, measurand.resolution, {}};
+  ResidualTable scatter{measurand.name, "scatter", measurand.unit, measurand.resolution, {}};
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    for (std::size_t c = 0; c < replay.samples()[s].layout->surfaces(); ++c) {
+      const CellStatistics &m = sides.measured[s][c], &x = sides.simulated[s][c];
+      if (m.count == 0.0 || x.count == 0.0) continue;
+      bias.rows.push_back(
+          {s, c, m.mean(channel) - x.mean(channel), meanError(replay, replay.samples()[s], c, channel, m, x), m.count});
+      if (m.count < 5.0 || x.count < 5.0) continue;
+      const double sm = std::sqrt(m.variance(channel)), sx = std::sqrt(x.variance(channel));
+      const double error =
+          std::sqrt(m.variance(channel) / (2.0 * (m.count - 1.0)) + x.variance(channel) / (2.0 * (x.count - 1.0)) +
+                    std::pow(0.1 * measurand.resolution, 2.0));
+      scatter.rows.push_back({s, c, sm - sx, error, m.count});
+    }
+  }
+  tables.push_back(std::move(bias));
+  tables.push_back(std::move(scatter));
+}
+
+void addExistence(const Replay& replay, const Sides& sides, std::vector<ResidualTable>& tables) {
+  ResidualTable missing{"existence", "missing", "1/shot", kExistenceScale, {}};
+  ResidualTable extra{"existence", "extra", "1/shot", kExistenceScale, {}};
+  double echoes = 0.0, shots = 0.0;
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    const ReplaySample& sample = replay.samples()[s];
+    if (sample.layout->pooled()) continue;
+    const double of_measured = sides.measured_frames[s], of_simulated = sides.simulated_frames[s];
+    for (std::size_t c = 0; c < sample.layout->cells().size(); ++c) {
+      const double measured = sides.measured[s][c].count / of_measured;
+      const double expected = sides.simulated[s][c].count / of_simulated;
+      const double rate = std::clamp(0.5 * (measured + expected), 0.01, 0.99);
+      const double error = std::sqrt(rate * (1.0 - rate) * (1.0 / of_measured + 1.0 / of_simulated) + 1e-4);
+      const double value = measured - expected;
+      echoes += expected * of_measured;
+      shots += of_measured;
+      // What may be noise stays in both with its sign, so that it averages out: a half of it would look like a loss.
+      const bool noise = std::abs(value) < kBeyondNoise * error;
+      missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, of_measured});
+      extra.rows.push_back({s, c, noise ? value : std::max(0.0, value), error, of_measured});
+    }
+  }
+  if (shots > 0.0 && echoes > 0.0) missing.scale = extra.scale = kExistenceScale * echoes / shots;
+  if (!missing.rows.empty()) tables.push_back(std::move(missing));
+  if (!extra.rows.empty()) tables.push_back(std::move(extra));
+}
+
+}  // namespace
+
+std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides) {
+  std::vector<ResidualTable> tables;
+  for (const Channel channel : replay.channels()) addValues(replay, sides, channel, tables);
+  addExistence(replay, sides, tables);
+  return tables;
+}
+
+}  // namespace gap

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gap/where/covariates.h"
+
+namespace gap {
+
+/// Standard errors: a smaller difference may be noise.
+inline constexpr double kBeyondNoise = 2.0;
+
+/// Statistics of every cell, [sample][cell].
+using CellsOfSamples = std::vector<std::vector<CellStatistics>>;
+
+/// Measured minus simulated of every cell, with everything that is known about it.
+struct ResidualTable {
+  struct Row : CellPlace {
+    double value = 0.0;   ///< measured - simulated
+    double error = 0.0;   ///< standard error
+    double weight = 0.0;  ///< detections, or shots for existence
+
+    /// What of the residual its noise does not explain.
+    [[nodiscard]] double beyondError() const;
+  };
+  std::string measurand;
+  std::string component;
+  std::string unit;
+  double scale =
+      1.0;  ///< one step of the total gap in this unit: the resolution; for existence a hundredth of the echoes
+  std::vector<Row> rows;
+
+  /// Of what the component counts: missing echoes are residuals below 0, extra ones above; 0: of any sign.
+  [[nodiscard]] double sign() const;
+  /// Of the residuals, each beyond its error and with its weight.
+  [[nodiscard]] double sumBeyondErrors() const;
+  /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.
+  [[nodiscard]] double excess() const;
+  /// Size of the mean residual in scale units, if it stands out of its error by a factor of five; else 0. Finds what is
+  /// small in every cell but the same in all.
+  [[nodiscard]] double commonShift() const;
+};
+
+/// What `measured` and `simulated` stand for in residual tables, with the frames of every sample.
+struct Sides {
+  const CellsOfSamples& measured;
+  std::vector<int> measured_frames;
+  const CellsOfSamples& simulated;
+  std::vector<int> simulated_frames;
+};
+
+/// Residuals of every channel (bias and scatter) and of existence.
+[[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides);
+
+/// The measurand of the experiment that a channel carries.
+[[nodiscard]] const model::Measurand& measurandOf(const Replay& replay, Channel channel);
+
+}  // namespace gap
