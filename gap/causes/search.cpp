@@ -1,0 +1,212 @@
+#include "gap/causes/search.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <nlopt.h>
+#include <optional>
+
+namespace gap {
+
+namespace {
+
+constexpr int kHalvings = 3;         // of the steps of a search along a line
+constexpr double kUsualStep = 0.06;  // of the scaled range; for the end of a sector it is
+constexpr double kUsualStep_deg = 1.5;
+
+/// n-th element of the van der Corput sequence in a base: together a Halton sequence, even and deterministic.
+double vanDerCorput(unsigned n, unsigned base) {
+  double value = 0.0, part = 1.0;
+  for (; n > 0; n /= base) {
+    part /= base;
+    value += part * (n % base);
+  }
+  return value;
+}
+
+unsigned coarseCount(std::size_t dimensions) { return dimensions == 1 ? 14 : dimensions == 2 ? 24 : 40; }
+
+/// Halves the steps beside the best of some points on a line. Where several are equally good (an effect does nothing on
+/// a part of its range), the best value may lie just beyond the last of them.
+void lookBetween(const Objective& objective, std::vector<Point>& points) {
+  for (int round = 0; round < kHalvings; ++round) {
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+    double best = std::numeric_limits<double>::infinity();
+    for (const Point& point : points) best = std::min(best, point.discrepancy);
+    std::vector<Point> between;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const bool left = points[i].discrepancy == best, right = points[i + 1].discrepancy == best;
+      if (left == right) continue;
+      const std::vector<double> middle{0.5 * (points[i].unit[0] + points[i + 1].unit[0])};
+      between.push_back({middle, objective(middle)});
+    }
+    points.insert(points.end(), between.begin(), between.end());
+  }
+}
+
+/// Of the best points on a line, the one in their middle: where the data leave a range open (two echoes merge up to
+/// some distance between those that were seen), its ends are the worst guess for other samples.
+Point middleOfBest(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+  const auto best = std::min_element(points.begin(), points.end(),
+                                     [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
+  const auto end = std::find_if(best, points.end(), [&](const Point& p) { return p.discrepancy > best->discrepancy; });
+  const double middle = 0.5 * (best->unit[0] + (end - 1)->unit[0]);
+  return *std::min_element(best, end, [&](const Point& a, const Point& b) {
+    return std::abs(a.unit[0] - middle) < std::abs(b.unit[0] - middle);
+  });
+}
+
+/// A smallest value between two others on a line.
+Point lowestBetween(const Objective& objective, double low, double high, std::uintmax_t most_trials) {
+  const auto [unit, discrepancy] = boost::math::tools::brent_find_minima([&](double x) { return objective({x}); }, low,
+                                                                         high, kLineBits, most_trials);
+  return {{unit}, discrepancy};
+}
+
+/// The interval of an even search in which the objective changes most, if that is a good part of its change at all and
+/// leads to where it is nearly as good as anywhere; else nothing.
+std::optional<std::size_t> abruptStep(const std::vector<Point>& even, const Point& best) {
+  constexpr double kMuchOfAll = 0.3, kNearly = 0.1;  // of the whole change
+  double highest = best.discrepancy, largest = 0.0;
+  for (const Point& point : even) highest = std::max(highest, point.discrepancy);
+  const double whole = highest - best.discrepancy;
+  std::optional<std::size_t> step;
+  for (std::size_t i = 0; i + 1 < even.size(); ++i) {
+    const auto [low, high] = std::minmax(even[i].discrepancy, even[i + 1].discrepancy);
+    if (high - low <= std::max(largest, kMuchOfAll * whole)) continue;
+    largest = high - low;
+    step = low < best.discrepancy + kNearly * whole ? std::optional(i) : std::nullopt;
+  }
+  return step;
+}
+
+/// The best point of a line, dips included that are narrower than its steps: where a cause takes all echoes of a
+/// sample, more of it changes nothing and seems best, and what takes nearly all of them lies just beside that.
+Point withDips(const Objective& objective, const std::vector<Point>& even, const Point& best) {
+  constexpr int kParts = 12;
+  constexpr std::uintmax_t kTrials = 10;
+  const std::optional<std::size_t> abrupt = abruptStep(even, best);
+  if (!abrupt) return best;
+  const double from = even[*abrupt].unit[0], part = (even[*abrupt + 1].unit[0] - from) / kParts;
+  Point nearest = best;
+  for (int p = 1; p < kParts; ++p) {
+    const std::vector<double> unit{from + p * part};
+    const double discrepancy = objective(unit);
+    if (discrepancy < nearest.discrepancy) nearest = {unit, discrepancy};
+  }
+  if (nearest.unit == best.unit) return best;
+  const Point dip = lowestBetween(objective, nearest.unit[0] - part, nearest.unit[0] + part, kTrials);
+  return dip.discrepancy < nearest.discrepancy ? dip : nearest;
+}
+
+/// Nearer to the start again where a wide search leads away from a dip that was known.
+std::vector<double> refineOne(const Objective& objective, double start, double reach) {
+  constexpr std::uintmax_t kTrials = 24;
+  constexpr double kNearer = 0.15;
+  constexpr int kSearches = 3;
+  const double known = objective({start});
+  for (int search = 0; search < kSearches; ++search, reach *= kNearer) {
+    Point found = lowestBetween(objective, std::max(0.0, start - reach), std::min(1.0, start + reach), kTrials);
+    if (found.discrepancy < known) return std::move(found.unit);
+  }
+  return {start};
+}
+
+struct SubplexCall {
+  const Objective* objective;
+  std::exception_ptr error;
+  nlopt_opt optimiser;
+};
+
+double onSubplex(unsigned n, const double* x, double*, void* data) {
+  auto& call = *static_cast<SubplexCall*>(data);
+  try {
+    return (*call.objective)(std::vector<double>(x, x + n));
+  } catch (...) {
+    call.error = std::current_exception();  // must not pass through C
+    nlopt_force_stop(call.optimiser);
+    return std::numeric_limits<double>::max();
+  }
+}
+
+std::vector<double> refineSeveral(const Objective& objective, std::vector<double> start, const Reach& reach) {
+  const auto n = static_cast<unsigned>(start.size());
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(NLOPT_LN_SBPLX, n), nlopt_destroy);
+  SubplexCall call{&objective, nullptr, optimiser.get()};
+  nlopt_set_min_objective(optimiser.get(), onSubplex, &call);
+  nlopt_set_lower_bounds1(optimiser.get(), 0.0);
+  nlopt_set_upper_bounds1(optimiser.get(), 1.0);
+  nlopt_set_initial_step(optimiser.get(), objective.firstSteps(reach.step).data());
+  nlopt_set_xtol_abs1(optimiser.get(), 5e-4);
+  nlopt_set_ftol_rel(optimiser.get(), 1e-4);
+  nlopt_set_maxeval(optimiser.get(), reach.trials);
+  for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
+  double best = 0.0;
+  nlopt_optimize(optimiser.get(), start.data(), &best);
+  if (call.error) std::rethrow_exception(call.error);
+  return start;
+}
+
+}  // namespace
+
+Objective::Objective(const Replay& replay, const Hypothesis& hypothesis, Evidence evidence,
+                     const core::Progress& progress)
+    : replay_(replay),
+      hypothesis_(hypothesis),
+      evidence_(std::move(evidence)),
+      progress_(progress),
+      cube_(hypothesis.parameters) {}
+
+double Objective::operator()(const std::vector<double>& unit) const {
+  core::stopIfCancelled(progress_);
+  return discrepancyOf(replay_, worldOf(replay_, hypothesis_, valuesAt(unit)), evidence_);
+}
+
+std::vector<double> Objective::firstSteps(double step) const {
+  std::vector<double> steps;
+  for (const FreeParameter& p : hypothesis_.parameters) {
+    steps.push_back(isAzimuth(p) ? kUsualStep_deg * step / kUsualStep / (p.high - p.low) : step);
+  }
+  return steps;
+}
+
+std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned count) {
+  constexpr unsigned kBases[] = {2, 3, 5, 7, 11, 13};
+  std::vector<std::vector<double>> points;
+  for (unsigned n = 0; n < count; ++n) {
+    std::vector<double> point;
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      point.push_back(dimensions == 1 ? (n + 0.5) / count : vanDerCorput(n + 1, kBases[d % 6]));
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
+  std::vector<std::vector<double>> points = evenPoints(objective.dimensions(), coarseCount(objective.dimensions()));
+  for (const auto& start : starts) points.push_back(objective.unitOf(start));
+  std::vector<Point> looked_at;
+  for (const auto& point : points) looked_at.push_back({point, objective(point)});
+  if (objective.dimensions() == 1) {
+    for (const double end : {0.0, 1.0}) looked_at.push_back({{end}, objective({end})});
+    std::vector<Point> even = looked_at;
+    std::sort(even.begin(), even.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+    lookBetween(objective, looked_at);
+    return withDips(objective, even, middleOfBest(looked_at));
+  }
+  return *std::min_element(looked_at.begin(), looked_at.end(),
+                           [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
+}
+
+std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
+  if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
+  const std::vector<double> refined = refineSeveral(objective, start, reach);
+  // A rugged objective may lead the refinement astray.
+  return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
+}
+
+}  // namespace gap

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/progress.h"
+#include "gap/causes/evidence.h"
+#include "gap/causes/scale.h"
+
+namespace gap {
+
+/// What a search makes small: the discrepancy of a hypothesis on some evidence, over the unit cube of its free numbers.
+/// Refers to all its arguments but the evidence.
+class Objective {
+ public:
+  Objective(const Replay& replay, const Hypothesis& hypothesis, Evidence evidence, const core::Progress& progress);
+
+  [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const { return cube_.valuesAt(unit); }
+  [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const { return cube_.unitOf(values); }
+  [[nodiscard]] double operator()(const std::vector<double>& unit) const;
+  /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
+  [[nodiscard]] std::vector<double> firstSteps(double step) const;
+  [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
+
+ private:
+  const Replay& replay_;
+  const Hypothesis& hypothesis_;
+  Evidence evidence_;
+  const core::Progress& progress_;
+  UnitCube cube_;
+};
+
+/// A place in the unit cube.
+struct Point {
+  std::vector<double> unit;
+  double discrepancy = std::numeric_limits<double>::infinity();
+};
+
+/// So many places spread evenly over the unit cube; deterministic (Halton; on a line the middles of equal parts).
+[[nodiscard]] std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned count);
+
+/// The best place of a search over the whole cube and at the starts given (in the hypothesis's units); on a line, dips
+/// included that are narrower than the steps. There is one dimension at least.
+[[nodiscard]] Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts);
+
+/// How far a search goes from its start, in the unit cube, and how long.
+struct Reach {
+  double line;  ///< to both sides, where there is one number
+  double step;  ///< the first, where there are several,
+  int trials;   ///< and how many
+};
+
+/// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.
+inline constexpr int kLineBits = 13;
+
+/// The values that a bounded search around a place ends with (Brent on a line, else Subplex of NLopt), never worse than
+/// the start.
+[[nodiscard]] std::vector<double> searched(const Objective& objective, const std::vector<double>& start,
+                                           const Reach& reach);
+
+}  // namespace gap
