@@ -136,6 +136,12 @@ void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t see
   diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
 }
 
+/// That a cause is at work, before others are compared with it.
+double beliefIn(const Judge& judge, const Candidate& candidate) {
+  const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
+  return beliefIn(judge.yardstick, accounted_for, candidate.hypothesis.kind);
+}
+
 /// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
 void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, bool frames_deviate,
                 Diagnosis& diagnosis, const core::Progress& progress) {
@@ -144,10 +150,7 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const bool pooled = judge.replay.samples().front().layout->pooled();
   const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0);
   const double named = decision.winner ? kLeastNamed : 0.0;
-  const auto beliefOf = [&](const Candidate& candidate) {
-    const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
-    return most * std::max(named, beliefIn(judge.yardstick, accounted_for, candidate.hypothesis.kind));
-  };
+  const auto beliefOf = [&](const Candidate& candidate) { return most * std::max(named, beliefIn(judge, candidate)); };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;
@@ -306,10 +309,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
   } else {
-    const auto beliefOf = [&](const Candidate& best) {
-      return beliefIn(judge.yardstick, judge.accountedFor(best), best.hypothesis.kind);
-    };
-    const double named = decision.singles.empty() ? 0.0 : beliefOf(decision.singles.front());
+    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge, decision.singles.front());
     verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }

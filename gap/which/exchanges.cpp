@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "gap/far/how_far.h"
+#include "gap/which/partners.h"
 
 namespace gap {
 
@@ -14,24 +15,17 @@ constexpr std::size_t kOfEachMember = 3;
 
 /// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept; of each name one.
 std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
-                                     const std::vector<Candidate>& singles) {
-  std::vector<Candidate> others;
-  for (const Candidate& single : singles) {
-    const Hypothesis& h = single.hypothesis;
-    if (h.per_setup || h.name == member.hypothesis.name || h.name == kept.hypothesis.name) continue;
-    others.push_back({.hypothesis = together(kept.hypothesis, h), .values = joined(kept.values, single.values)});
-  }
-  core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
-    const World world = worldOf(quick.replay, others[i].hypothesis, others[i].values);
-    others[i].discrepancy = discrepancyOf(quick.replay, world, quick.split.fitted);
-  });
-  std::stable_sort(others.begin(), others.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.discrepancy < b.discrepancy; });
+                                     const std::vector<Candidate>& singles, const core::Progress& progress) {
   std::vector<Candidate> nearest;
-  for (Candidate& other : others) {
-    const bool known = std::any_of(nearest.begin(), nearest.end(),
-                                   [&](const Candidate& c) { return c.hypothesis.name == other.hypothesis.name; });
-    if (!known && nearest.size() < kOfEachMember) nearest.push_back(std::move(other));
+  for (const Partner& partner : partnersOf(quick, kept, singles, progress)) {
+    const Candidate& single = singles[partner.single];
+    const bool known = std::any_of(nearest.begin(), nearest.end(), [&](const Candidate& c) {
+      return c.hypothesis.members[1].name == single.hypothesis.name;
+    });
+    if (known || single.hypothesis.name == member.hypothesis.name) continue;
+    nearest.push_back(
+        {.hypothesis = together(kept.hypothesis, single.hypothesis), .values = joined(kept.values, single.values)});
+    if (nearest.size() == kOfEachMember) break;
   }
   return nearest;
 }
@@ -50,7 +44,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
   const std::vector<Candidate> members = membersOf(pairs.front());
   std::vector<Candidate> others;
   for (const std::size_t kept : {0U, 1U}) {
-    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles))
+    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles, progress))
       others.push_back(std::move(other));
   }
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "gap/causes/starts.h"
+#include "gap/which/partners.h"
 #include "gap/which/signature_fit.h"
 
 namespace gap {
@@ -22,8 +23,6 @@ constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alon
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
 constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
 constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
-constexpr std::size_t kLookedAt = 16;       // causes whose sums come nearest, and as many that are best alone
-constexpr std::size_t kAtomsOfACause = 3;   // whose sums come nearest, of causes that are not best alone
 constexpr double kMostErrors = 100.0;       // of a shift
 
 /// Of what is recorded of a parameter; between two of them shifts are interpolated.
@@ -73,9 +72,8 @@ double PairGuesses::distanceOf(const Hypothesis& hypothesis, const std::vector<d
   return discrepancyOf(scout_, worldOf(scout_, hypothesis, values), scouted_);
 }
 
-bool PairGuesses::pairable(std::size_t a, std::size_t b) const {
-  const Hypothesis &x = singles_[a].hypothesis, &y = singles_[b].hypothesis;
-  return a != b && !x.per_setup && !y.per_setup && x.name != y.name;
+bool PairGuesses::mayPair(std::size_t a, std::size_t b) const {
+  return pairable(singles_[a].hypothesis, singles_[b].hypothesis);
 }
 
 /// Every cause at its fitted values, at others all over its range, and where the residuals suggest, with what each
@@ -111,7 +109,7 @@ std::vector<Guess> PairGuesses::nearestSums() const {
   std::map<std::pair<std::size_t, std::size_t>, Guess> nearest;
   for (std::size_t a = 0; a < atoms_.size(); ++a) {
     for (std::size_t b = a + 1; b < atoms_.size(); ++b) {
-      if (!pairable(atoms_[a].single, atoms_[b].single)) continue;
+      if (!mayPair(atoms_[a].single, atoms_[b].single)) continue;
       const auto x = static_cast<Eigen::Index>(a), y = static_cast<Eigen::Index>(b);
       const double distance =
           static_cast<double>(products(x, x) + products(y, y) + 2.0F * products(x, y) - 2.0F * (along(x) + along(y)));
@@ -125,56 +123,32 @@ std::vector<Guess> PairGuesses::nearestSums() const {
   return lookedAt(nearestOf(std::move(guesses), kSumsFitted));
 }
 
-/// Of the causes that, added to what this one does, come nearest to the measurement the nearest atoms; and all of
-/// those that are best alone: echoes from nowhere are in no signature.
-std::vector<PairGuesses::Atom> PairGuesses::likelyBeside(std::size_t first, const World& world) const {
-  const Eigen::VectorXf left = near(columnOf(space_.ofMeasurement())) - near(columnOf(space_.of(world)));
-  const Eigen::VectorXf distances = (signatures_.colwise() - left).colwise().squaredNorm();
-  std::vector<std::size_t> order;
-  for (std::size_t a = 0; a < atoms_.size(); ++a)
-    if (pairable(first, atoms_[a].single)) order.push_back(a);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return distances[static_cast<Eigen::Index>(a)] < distances[static_cast<Eigen::Index>(b)];
-  });
-  std::vector<Atom> likely;
-  std::map<std::size_t, std::size_t> taken;  // atoms of each cause
-  for (const std::size_t a : order) {
-    const std::size_t single = atoms_[a].single;
-    const bool near = taken.contains(single) || taken.size() < kLookedAt;
-    const bool enough = single >= kLookedAt && taken.contains(single) && taken.at(single) == kAtomsOfACause;
-    if (enough || (!near && single >= kLookedAt)) continue;
-    ++taken[single];
-    likely.push_back(atoms_[a]);
-  }
-  return likely;
-}
-
+/// Every cause that may be a pair with this one is looked at beside it, wherever it was looked at alone: what two do
+/// together may be in neither's signature (fog blinds a receiver that does not look past its near field).
 std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
   const World world = worldOf(scout_, singles_[first].hypothesis, values);
-  std::vector<Atom> atoms = likelyBeside(first, world);
+  std::vector<Atom> atoms = atoms_;
+  std::erase_if(atoms, [&](const Atom& atom) { return !mayPair(first, atom.single); });
   const WhereResult where = whereIn(scout_, world, scouted_.seed);
   for (std::size_t i = 0; i < singles_.size(); ++i)
-    if (pairable(first, i)) append(atoms, suggestedFor(i, where));
+    if (mayPair(first, i)) append(atoms, suggestedFor(i, where));
   std::vector<Guess> guesses = nearestOf(nearestPartners(first, values, atoms), kPartnersTried);
   guesses = nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
   append(guesses, lookedAt(partnersByAll(first, values)));
   return guesses;
 }
 
-/// What goes best with a cause, each as it was fitted alone, by all that is fitted: too few shots are scouted to see
-/// a loss or a false echo that is rare.
+/// What goes best with a cause by all that is fitted, where it brings enough to be believed.
 std::vector<Guess> PairGuesses::partnersByAll(std::size_t first, const std::vector<double>& values) const {
+  const Candidate kept{.hypothesis = singles_[first].hypothesis, .values = values};
+  const double alone =
+      discrepancyOf(judge_.replay, worldOf(judge_.replay, kept.hypothesis, values), judge_.split.fitted);
   std::vector<Guess> guesses;
-  for (std::size_t i = 0; i < singles_.size(); ++i)
-    if (pairable(first, i)) guesses.push_back({first, i, joined(values, singles_[i].values)});
-  const auto distanceOf = [&](const World& world) { return discrepancyOf(judge_.replay, world, judge_.split.fitted); };
-  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
-    core::stopIfCancelled(progress_);
-    guesses[g].distance = distanceOf(worldOf(judge_.replay, hypothesisOf(guesses[g]), guesses[g].values));
-  });
-  const double alone = distanceOf(worldOf(judge_.replay, singles_[first].hypothesis, values));
-  std::erase_if(guesses, [&](const Guess& guess) { return alone - guess.distance < Judge::kNatsPerNumber; });
-  return nearestOf(std::move(guesses), kPartnersOfAll);
+  for (const auto& [single, left] : gap::partnersOf(judge_, kept, singles_, progress_)) {
+    if (guesses.size() == kPartnersOfAll || alone - left < Judge::kNatsPerNumber) break;
+    guesses.push_back({first, single, joined(values, singles_[single].values), left});
+  }
+  return guesses;
 }
 
 std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::vector<double>& values,

@@ -54,10 +54,9 @@ class PairGuesses {
     std::vector<double> values;
   };
 
-  [[nodiscard]] bool pairable(std::size_t a, std::size_t b) const;
+  [[nodiscard]] bool mayPair(std::size_t a, std::size_t b) const;
   void lookAtAtoms();
   [[nodiscard]] std::vector<Atom> suggestedFor(std::size_t single, const WhereResult& where) const;
-  [[nodiscard]] std::vector<Atom> likelyBeside(std::size_t first, const World& world) const;
   [[nodiscard]] std::vector<Guess> partnersByAll(std::size_t first, const std::vector<double>& values) const;
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
                                                    const std::vector<Atom>& atoms) const;

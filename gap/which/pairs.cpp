@@ -25,13 +25,7 @@ class PairSearch {
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
-    std::vector<std::string> partnered;
-    for (std::size_t i = 0; i < singles_.size() && partnered.size() < kPartnered; ++i) {
-      const std::string& name = singles_[i].hypothesis.name;
-      if (singles_[i].hypothesis.per_setup || std::count(partnered.begin(), partnered.end(), name) > 0) continue;
-      partnered.push_back(name);
-      append(guesses, guesses_.partnersOf(i, singles_[i].values));
-    }
+    for (const std::size_t i : partnered()) append(guesses, guesses_.partnersOf(i, singles_[i].values));
     append(guesses, guesses_.nearestSums());
     append(guesses, guesses_.besideRecalibration());
     fit(std::move(guesses));
@@ -54,6 +48,32 @@ class PairSearch {
     Candidate candidate;
     double discrepancy = 0.0;  ///< on the samples that were fitted, after a rough fit
   };
+
+  /// The cause that is best alone; the one that brings the fitted samples nearest, for where it acts there may be no
+  /// sample that is held out; and then by merit. Of different names.
+  [[nodiscard]] std::vector<std::size_t> partnered() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < singles_.size(); ++i)
+      if (!singles_[i].hypothesis.per_setup) order.push_back(i);
+    if (order.empty()) return order;
+    std::vector<double> left(singles_.size());
+    core::parallelFor(order.size(), 1, [&](std::size_t o, std::size_t) {
+      const Candidate& single = singles_[order[o]];
+      left[order[o]] =
+          discrepancyOf(judge_.replay, worldOf(judge_.replay, single.hypothesis, single.values), judge_.split.fitted);
+    });
+    const auto nearest =
+        std::min_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
+    std::rotate(order.begin() + 1, nearest, nearest + 1);
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : order) {
+      const bool same = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t c) {
+        return singles_[c].hypothesis.name == singles_[i].hypothesis.name;
+      });
+      if (!same && chosen.size() < kPartnered) chosen.push_back(i);
+    }
+    return chosen;
+  }
 
   /// Whether these two causes were fitted together already, and came as near to the data as this guess.
   [[nodiscard]] bool known(const Guess& guess) const {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// Whether two causes may be at work together as a pair: of different names, and neither an offset of single set-ups.
+[[nodiscard]] bool pairable(const Hypothesis& a, const Hypothesis& b);
+
+/// A cause beside another one, as it was fitted alone.
+struct Partner {
+  std::size_t single = 0;  ///< index of the cause
+  double left = 0.0;       ///< discrepancy of both together, by all that is fitted
+};
+
+/// Every cause that may be a pair with `kept`, nearest to the measurement first. Looks at all that the judge has to fit
+/// with: few shots do not show a loss or a false echo that is rare.
+[[nodiscard]] std::vector<Partner> partnersOf(const Judge& judge, const Candidate& kept,
+                                              const std::vector<Candidate>& singles, const core::Progress& progress);
+
+}  // namespace gap
