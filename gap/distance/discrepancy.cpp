@@ -129,6 +129,22 @@ double ofValues(const Replay& replay, const Comparison& comparison, const std::v
   return result;
 }
 
+/// Of a cell that only one side detects. No mean to compare must not be cheaper than a wrong one, or losing all
+/// detections would explain everything: where the world loses what was measured, every channel is as wrong as it was
+/// without a cause.
+double ofLostCell(const Replay& replay, const ReplaySample& sample, std::size_t cell, const CellStatistics& measured,
+                  double lost) {
+  const CellStatistics& baseline = sample.baseline[cell];
+  const bool known = lost > 0.0 && measured.count > 0.0 && baseline.count > 0.0;
+  double result = 0.0;
+  for (const Channel channel : replay.channels()) {
+    const double difference = known ? std::abs(measured.mean(channel) - baseline.mean(channel)) : 0.0;
+    const double z = known ? difference / comparableError(replay, sample, cell, channel, measured, baseline) : 0.0;
+    result += robustLoss(std::max(lost, z));
+  }
+  return result;
+}
+
 /// Of one sample, but for rare echoes from nowhere.
 double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
@@ -158,8 +174,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
     const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * sample.power_deviation[c]);
     if (m.count == 0.0 || s.count == 0.0) {
-      // No mean to compare must not be cheaper than a wrong one, or losing all detections would explain everything.
-      result += static_cast<double>(replay.channels().size()) * robustLoss(lost);
+      result += ofLostCell(replay, sample, c, m, lost);
       continue;
     }
     if (surface) continue;

@@ -12,6 +12,7 @@ namespace gap {
 
 namespace {
 
+constexpr int kBaselineFrames = 6;             // enough for means
 constexpr int kFewestRays = 9;                 // per direction, whatever the model has
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
@@ -172,6 +173,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
       addTolerance(samples_[s], s, epistemic);
     }
     addShareErrors(samples_[s]);
+    samples_[s].baseline = simulate(baseline_, s, kBaselineFrames, seed());
   }
 }
 

@@ -34,6 +34,7 @@ struct ReplaySample {
   core::Detections measured;
   std::vector<std::uint32_t> beam_of;      ///< of each measured detection
   std::vector<CellStatistics> statistics;  ///< of the measurement
+  std::vector<CellStatistics> baseline;    ///< of a few frames of the baseline
   std::unique_ptr<CellLayout> layout;
   std::vector<Tolerance> tolerances;
   /// Of every cell: how far the power that it receives may be off, relative to it: as the reference moves within its
