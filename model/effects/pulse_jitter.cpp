@@ -50,6 +50,7 @@ EffectEntry pulseJitter() {
                                   {"power_stddev", "", 0.0, 0.2, 0.0,
                                    "Standard deviation of the peak power over its mean", false, 0.05}},
                    .fitted = {"duration_stddev_ns", "power_stddev"},
+                   .other_forms = {{"of the power", {"power_stddev"}}, {"of the duration", {"duration_stddev_ns"}}},
                    .source = "Rosenberger 2022, doi:10.26083/tuprints-00023034, ch. 10"},
           .make = makeFrom<PulseJitter>};
 }
