@@ -36,7 +36,7 @@ void addReference(const std::string& pointer, const std::string& unit, double mo
 void addReferenceHypotheses(const Replay& replay, const std::set<std::int32_t>& objects,
                             std::vector<Hypothesis>& list) {
   constexpr std::size_t kMostObjects = 8;  // more of them would cost minutes and teach nothing
-  constexpr double kFarthest_m = 0.5, kMost_deg = 15.0;
+  constexpr double kFarthest_m = 1.5, kMost_deg = 15.0;
   std::size_t count = 0;
   std::vector<std::size_t> everything(replay.samples().size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
