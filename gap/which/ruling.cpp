@@ -10,7 +10,6 @@ namespace gap {
 namespace {
 
 constexpr double kMuchClearer = 3.0;  // so much more must one part of the samples show than the other
-constexpr double kNearlyAll = 0.95;   // of the discrepancy that is fitted
 
 /// Whether a deviation, in standard deviations, is beyond doubt in one part of the samples, and far from it in the
 /// other.
@@ -35,29 +34,13 @@ bool holdsDetections(const Replay& replay, const Evidence& evidence) {
                      [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
 }
 
-bool leavesOnePartOnly(const Judge& judge, const Candidate& best) {
+bool leavesOnePartOnly(const Judge& judge, const Decision& decision) {
+  if (judge.split.weak || decision.singles.empty() || decision.pair()) return false;
+  if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
+  const Candidate& best = decision.singles.front();
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
   return inOnePartOnly(restOf(judge, best), restOf(on_fitted, best));
-}
-
-/// Whether some cause accounts for nearly all that is fitted.
-bool fitsNearlyAll(const Judge& judge, const std::vector<Candidate>& singles) {
-  const auto leftBy = [&](const World& world) { return discrepancyOf(judge.replay, world, judge.split.fitted); };
-  const double most = (1.0 - kNearlyAll) * leftBy(judge.replay.baseline());
-  return std::any_of(singles.begin(), singles.end(), [&](const Candidate& single) {
-    return leftBy(worldOf(judge.replay, single.hypothesis, single.values)) <= most;
-  });
-}
-
-/// Whether the held-out samples ask what the fitted ones cannot answer: they show what the best cause leaves, and the
-/// others do not, or the other way round; or a cause accounts for nearly all that is fitted and none for what is held
-/// out, so that the fitted samples leave its numbers open (a gate anywhere between two walls).
-bool heldOutAsksMore(const Judge& quick, const Judge& exact, const Decision& decision) {
-  if (exact.split.weak || decision.singles.empty() || decision.pair()) return false;
-  if (!holdsDetections(exact.replay, exact.split.held_out)) return false;  // lost files are no second cause
-  return leavesOnePartOnly(exact, decision.singles.front()) ||
-         (!decision.winner && fitsNearlyAll(quick, decision.singles));
 }
 
 }  // namespace
@@ -76,7 +59,7 @@ Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, b
     return {quick, exact, decide(withoutEdges(quick), withoutEdges(exact), gaps, clear, where, hypotheses, progress)};
   }
   Decision decision = decide(quick, exact, gaps, clear, where, hypotheses, progress);
-  if (!heldOutAsksMore(quick, exact, decision)) return {quick, exact, std::move(decision)};
+  if (!leavesOnePartOnly(exact, decision)) return {quick, exact, std::move(decision)};
   progress.report(0.1, "judging by beams: what is left shows in some of the samples only");
   Judge by_beams = judgeByBeams(exact.replay, exact.split.fitted.seed, without);
   by_beams.weight_of_total = exact.weight_of_total;
