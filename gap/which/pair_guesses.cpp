@@ -19,6 +19,7 @@ constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
 constexpr std::size_t kScoutBeams = 120;
 constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
+constexpr std::size_t kBestAlone = 16;      // of causes on some sensors only, those looked at beside another cause
 constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
 constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
@@ -128,7 +129,10 @@ std::vector<Guess> PairGuesses::nearestSums() const {
 std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
   const World world = worldOf(scout_, singles_[first].hypothesis, values);
   std::vector<Atom> atoms = atoms_;
-  std::erase_if(atoms, [&](const Atom& atom) { return !mayPair(first, atom.single); });
+  std::erase_if(atoms, [&](const Atom& atom) {
+    const bool seldom = !singles_[atom.single].hypothesis.sensors.empty() && atom.single >= kBestAlone;
+    return seldom || !mayPair(first, atom.single);
+  });
   const WhereResult where = whereIn(scout_, world, scouted_.seed);
   for (std::size_t i = 0; i < singles_.size(); ++i)
     if (mayPair(first, i)) append(atoms, suggestedFor(i, where));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 
 #include "gap/causes/fit.h"
 #include "tests/gap/small_world.h"
@@ -52,6 +53,23 @@ TEST(Hypotheses, AnEffectIsTriedInEveryFormThatItDeclares) {
   ASSERT_NE(roll, all.end());
   const gap::World turned = gap::worldOf(replay, *roll, {0.7});
   EXPECT_EQ(turned.model.effects.back().parameters.numbers, (std::map<std::string, double>{{"roll_deg", 0.7}}));
+}
+
+// Where both numbers of it are free, whatever scatters by one number fits as well and is simpler.
+TEST(Hypotheses, APulseMayJitterInItsPowerAloneOrInItsDurationAlone) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  std::set<std::vector<std::string>> free;
+  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {"pulse-jitter"})) {
+    if (hypothesis.name != "pulse-jitter") continue;
+    std::vector<std::string> names;
+    for (const gap::FreeParameter& parameter : hypothesis.parameters) names.push_back(parameter.name);
+    free.insert(names);
+  }
+  EXPECT_EQ(free, (std::set<std::vector<std::string>>{
+                      {"duration_stddev_ns", "power_stddev"}, {"duration_stddev_ns"}, {"power_stddev"}}));
 }
 
 // What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
