@@ -58,13 +58,14 @@ class PairSearch {
     if (order.empty()) return order;
     std::vector<double> left(singles_.size());
     core::parallelFor(order.size(), 1, [&](std::size_t o, std::size_t) {
+      core::stopIfCancelled(progress_);
       const Candidate& single = singles_[order[o]];
       left[order[o]] =
           discrepancyOf(judge_.replay, worldOf(judge_.replay, single.hypothesis, single.values), judge_.split.fitted);
     });
     const auto nearest =
         std::min_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
-    std::rotate(order.begin() + 1, nearest, nearest + 1);
+    if (nearest != order.begin()) std::rotate(order.begin() + 1, nearest, nearest + 1);
     std::vector<std::size_t> chosen;
     for (const std::size_t i : order) {
       const bool same = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t c) {
