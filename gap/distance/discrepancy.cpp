@@ -138,9 +138,12 @@ double ofLostCell(const Replay& replay, const ReplaySample& sample, std::size_t 
   const bool known = lost > 0.0 && measured.count > 0.0 && baseline.count > 0.0;
   double result = 0.0;
   for (const Channel channel : replay.channels()) {
-    const double difference = known ? std::abs(measured.mean(channel) - baseline.mean(channel)) : 0.0;
-    const double z = known ? difference / comparableError(replay, sample, cell, channel, measured, baseline) : 0.0;
-    result += robustLoss(std::max(lost, z));
+    double z = lost;
+    if (known) {
+      const double error = comparableError(replay, sample, cell, channel, measured, baseline);
+      z = std::max(z, std::abs(measured.mean(channel) - baseline.mean(channel)) / error);
+    }
+    result += robustLoss(z);
   }
   return result;
 }

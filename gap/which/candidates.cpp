@@ -139,6 +139,10 @@ void Judge::hear(Candidate& candidate) const {
   candidate.merit = meritOf(candidate);
 }
 
+double Judge::leftOfFitted(const Hypothesis& hypothesis, const std::vector<double>& values) const {
+  return discrepancyOf(replay, worldOf(replay, hypothesis, values), split.fitted);
+}
+
 double Judge::meritOf(const Candidate& candidate) const {
   const double as_it_is = (yardstick.baseline - candidate.discrepancy) / yardstick.whole();
   const double price = std::max(kPricePerNumber, kNatsPerNumber / yardstick.whole());

@@ -145,8 +145,7 @@ std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<
 /// What goes best with a cause by all that is fitted, where it brings enough to be believed.
 std::vector<Guess> PairGuesses::partnersByAll(std::size_t first, const std::vector<double>& values) const {
   const Candidate kept{.hypothesis = singles_[first].hypothesis, .values = values};
-  const double alone =
-      discrepancyOf(judge_.replay, worldOf(judge_.replay, kept.hypothesis, values), judge_.split.fitted);
+  const double alone = judge_.leftOfFitted(kept.hypothesis, values);
   std::vector<Guess> guesses;
   for (const auto& [single, left] : gap::partnersOf(judge_, kept, singles_, progress_)) {
     if (guesses.size() == kPartnersOfAll || alone - left < Judge::kNatsPerNumber) break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -52,28 +53,24 @@ class PairSearch {
   /// The cause that is best alone; the one that brings the fitted samples nearest, for where it acts there may be no
   /// sample that is held out; and then by merit. Of different names.
   [[nodiscard]] std::vector<std::size_t> partnered() const {
-    std::vector<std::size_t> order;
+    std::vector<std::size_t> by_merit;
     for (std::size_t i = 0; i < singles_.size(); ++i)
-      if (!singles_[i].hypothesis.per_setup) order.push_back(i);
-    if (order.empty()) return order;
-    std::vector<double> left(singles_.size());
-    core::parallelFor(order.size(), 1, [&](std::size_t o, std::size_t) {
+      if (!singles_[i].hypothesis.per_setup) by_merit.push_back(i);
+    if (by_merit.empty()) return {};
+    std::vector<double> left(singles_.size(), std::numeric_limits<double>::infinity());
+    core::parallelFor(by_merit.size(), 1, [&](std::size_t k, std::size_t) {
       core::stopIfCancelled(progress_);
-      const Candidate& single = singles_[order[o]];
-      left[order[o]] =
-          discrepancyOf(judge_.replay, worldOf(judge_.replay, single.hypothesis, single.values), judge_.split.fitted);
+      const Candidate& single = singles_[by_merit[k]];
+      left[by_merit[k]] = judge_.leftOfFitted(single.hypothesis, single.values);
     });
-    const auto nearest =
-        std::min_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
-    if (nearest != order.begin()) std::rotate(order.begin() + 1, nearest, nearest + 1);
-    std::vector<std::size_t> chosen;
-    for (const std::size_t i : order) {
-      const bool same = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t c) {
-        return singles_[c].hypothesis.name == singles_[i].hypothesis.name;
-      });
-      if (!same && chosen.size() < kPartnered) chosen.push_back(i);
-    }
-    return chosen;
+    const auto nearest = static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin());
+    std::vector<std::size_t> wanted{by_merit.front(), nearest};
+    append(wanted, by_merit);
+    std::set<std::string> names;
+    std::erase_if(wanted, [&](std::size_t i) {
+      return names.size() == kPartnered || !names.insert(singles_[i].hypothesis.name).second;
+    });
+    return wanted;
   }
 
   /// Whether these two causes were fitted together already, and came as near to the data as this guess.
@@ -102,8 +99,7 @@ class PairSearch {
       fitted[g].second = guess.second;
       candidate.hypothesis = guesses_.hypothesisOf(guess);
       candidate.values = roughFitFrom(judge_.replay, candidate.hypothesis, evidence, guess.values, progress_);
-      const World world = worldOf(judge_.replay, candidate.hypothesis, candidate.values);
-      fitted[g].discrepancy = discrepancyOf(judge_.replay, world, evidence);
+      fitted[g].discrepancy = judge_.leftOfFitted(candidate.hypothesis, candidate.values);
       progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
                        "tried " + candidate.hypothesis.name);
     });

@@ -16,9 +16,8 @@ std::vector<Partner> partnersOf(const Judge& judge, const Candidate& kept, const
   core::parallelFor(partners.size(), 1, [&](std::size_t p, std::size_t) {
     core::stopIfCancelled(progress);
     const Candidate& single = singles[partners[p].single];
-    const World world =
-        worldOf(judge.replay, together(kept.hypothesis, single.hypothesis), joined(kept.values, single.values));
-    partners[p].left = discrepancyOf(judge.replay, world, judge.split.fitted);
+    partners[p].left =
+        judge.leftOfFitted(together(kept.hypothesis, single.hypothesis), joined(kept.values, single.values));
   });
   std::stable_sort(partners.begin(), partners.end(),
                    [](const Partner& a, const Partner& b) { return a.left < b.left; });

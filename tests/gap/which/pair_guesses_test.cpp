@@ -11,7 +11,7 @@ namespace {
 using test_support::SmallWorld;
 
 // Fog of this density makes an echo of its own in front of every wall, unless the receiver looks past its near field:
-// alone it is farther from the measurement than anything else, and no sum of what the two do alone comes near.
+// alone it is far from the measurement.
 TEST(PairGuesses, HoldACauseThatTheOtherOneHides) {
   const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
                                                 {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
