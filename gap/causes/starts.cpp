@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/physics.h"
-#include "gap/replay/statistics.h"
 
 namespace gap {
 
@@ -17,13 +16,13 @@ constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong t
 constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
 constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};       // of the echo separation: within it two echoes are one
 
-/// Where the echoes are that no surface makes, if they lie together: medians, and the width of an even distribution
-/// with their median deviation.
+/// Where the echoes are that neither a surface nor the world makes, if they lie together: the middle of their
+/// quartiles, the width of an even distribution with these (a beam's at least), and the median range.
 struct ExtraEchoes {
   double azimuth_deg, width_deg, range_m;
 };
 
-/// Echoes that one beam has where no surface is.
+/// Echoes that one beam has where no surface is, more than the world expects.
 struct Extra {
   double range_m, azimuth_deg, count;
 };
@@ -45,28 +44,29 @@ std::span<const Extra> densestOf(std::span<const Extra> all) {
   return densest;
 }
 
-std::optional<ExtraEchoes> extraEchoes(const Replay& replay) {
+std::optional<ExtraEchoes> extraEchoes(const Replay& replay, const WhereResult& where) {
   constexpr std::size_t kFewest = 5;
+  constexpr double kMostExpected = 0.5;  // of a beam's: what a pane lets through comes as the world expects it
   std::vector<Extra> all;
-  for (const ReplaySample& sample : replay.samples()) {
+  for (std::size_t i = 0; i < replay.samples().size(); ++i) {
+    const ReplaySample& sample = replay.samples()[i];
     for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
       const CellStatistics& s = sample.statistics[c];
-      if (s.count == 0.0 || sample.layout->cells()[c].at_edge) continue;
-      all.push_back(
-          {s.mean(kRange), sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad, s.count});
+      const double expected = where.expected[i][c].count * sample.frames / where.frames[i];
+      if (s.count == 0.0 || expected > kMostExpected * s.count || sample.layout->cells()[c].at_edge) continue;
+      all.push_back({s.mean(kRange), sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad,
+                     s.count - expected});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const Extra& a, const Extra& b) { return a.range_m < b.range_m; });
   const auto densest = densestOf(all);
   if (densest.size() < kFewest) return std::nullopt;
-  std::vector<double> azimuths_deg, ranges_m, deviations_deg;
-  for (const Extra& extra : densest) {
-    azimuths_deg.push_back(extra.azimuth_deg);
-    ranges_m.push_back(extra.range_m);
-  }
-  const double middle_deg = medianOf(azimuths_deg);
-  for (const double azimuth_deg : azimuths_deg) deviations_deg.push_back(std::abs(azimuth_deg - middle_deg));
-  return ExtraEchoes{middle_deg, 4.0 * medianOf(deviations_deg), medianOf(ranges_m)};
+  std::vector<double> azimuths_deg;
+  for (const Extra& extra : densest) azimuths_deg.push_back(extra.azimuth_deg);
+  std::sort(azimuths_deg.begin(), azimuths_deg.end());
+  const double low_deg = azimuths_deg[densest.size() / 4], high_deg = azimuths_deg[densest.size() * 3 / 4];
+  return ExtraEchoes{0.5 * (low_deg + high_deg), std::max(azimuthStep_deg(replay), 2.0 * (high_deg - low_deg)),
+                     densest[densest.size() / 2].range_m};
 }
 
 const model::SensorProfile& sensorOf(const Replay& replay) {
@@ -170,7 +170,7 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
   }
   if (starts.has("azimuth_deg") && starts.has("range_m")) {
-    if (const auto extra = extraEchoes(replay)) {
+    if (const auto extra = extraEchoes(replay, where)) {
       starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
     }
   }
@@ -197,7 +197,7 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
                     {"size_m", r * width_rad}});
       }
     }
-    if (const auto extra = extraEchoes(replay)) {
+    if (const auto extra = extraEchoes(replay, where)) {
       const double azimuth_rad = extra->azimuth_deg * core::kRadPerDeg;
       starts.add({{"centre_x_m", extra->range_m * std::cos(azimuth_rad)},
                   {"centre_y_m", extra->range_m * std::sin(azimuth_rad)},

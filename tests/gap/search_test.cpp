@@ -79,7 +79,8 @@ TEST_F(Search, BeginsAtTheRateAtWhichFalseEchoesCame) {
 // Within the echo separation, 0.8 m, two echoes are one, and its range lies between them.
 TEST_F(Search, LooksForAFalseTargetOnBothSidesOfTheEchoThatItMayPull) {
   measure({});
-  gap::WhereResult where;
+  gap::WhereResult where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  where.rows.clear();
   where.rows.push_back({.measurand = "range", .covariate = "azimuth_deg", .low = 4.0, .high = 6.0});
   where.rows.push_back({.measurand = "range", .covariate = "range_m", .low = 13.0, .high = 13.2});
   std::vector<double> ranges_m;
@@ -91,6 +92,22 @@ TEST_F(Search, LooksForAFalseTargetOnBothSidesOfTheEchoThatItMayPull) {
   EXPECT_THAT(ranges_m,
               testing::UnorderedElementsAre(DoubleNear(12.7, 1e-9), DoubleNear(12.9, 1e-9), DoubleNear(13.1, 1e-9),
                                             DoubleNear(13.3, 1e-9), DoubleNear(13.5, 1e-9)));
+}
+
+// A cloud returns echoes, as the model has it; one column of beams elsewhere sees a false target.
+TEST_F(Search, LooksForAFalseTargetWhereTheModelExpectsNoEcho) {
+  const SmallWorld::Effects cloud = {{"exhaust-cloud", {{"centre", {4.0, -0.7, 0.0}}, {"size_m", 1.5}}}};
+  SmallWorld::Effects truth = cloud;
+  truth["spoofing"] = {{"azimuth_deg", 5.0}, {"width_deg", 0.8}, {"range_m", 5.0}};
+  measured_ = world_.measuredBy(SmallWorld::modelWith(truth), 0.4);
+  replay_.emplace(measured_, SmallWorld::modelWith(cloud));
+  split_ = gap::splitOf(*replay_, 1);
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  const auto starts = gap::startsFrom(*replay_, effect("spoofing"), where);
+  ASSERT_FALSE(starts.empty());
+  EXPECT_NEAR(starts.back()[0], 5.0, 0.4);  // azimuth_deg
+  EXPECT_NEAR(starts.back()[1], 5.0, 0.1);  // range_m
+  EXPECT_NEAR(starts.back()[2], 1.0, 0.3);  // width_deg, of one beam
 }
 
 TEST_F(Search, TriesEachOfSeveralMechanismsAlone) {
