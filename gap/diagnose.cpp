@@ -118,8 +118,11 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   decision.frames_move = true;
 }
 
+/// The least that a cause leaves of the gap by any measure: cell by cell, or of all data pooled.
+double leastLeftBy(const Candidate& cause) { return std::min(1.0 - cause.explained, cause.total_left); }
+
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
-/// anything could explain.
+/// anything could explain, unless next to nothing of the gap is left by another measure.
 void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
                  Diagnosis& diagnosis) {
   const Replay& replay = judge.replay;
@@ -127,7 +130,7 @@ void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t see
   if (decision.winner) {
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
     diagnosis.rest = restOf(replay, judge.split, where, after);
-    if (!diagnosis.rest || diagnosis.rest->belowCeiling() < kBelowCeiling) {
+    if (!diagnosis.rest || std::min(diagnosis.rest->belowCeiling(), leastLeftBy(*decision.winner)) < kBelowCeiling) {
       diagnosis.where = rowsOfCause(replay, where, after);
       return;
     }

@@ -50,10 +50,11 @@ void orderSector(Hypothesis& hypothesis) {
   };
 }
 
-/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
+/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do. Of
+/// several sensors each has its own.
 void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
   FreeParameter& step = hypothesis.parameters.front();  // of the range
-  const std::optional<Comb> comb = rangeComb(replay);
+  const std::optional<Comb> comb = rangeComb(replay, hypothesis.sensors);
   if (!comb || comb->step > step.high) return;
   step.start = comb->step;
   step.low = comb->step - comb->uncertain;
@@ -152,7 +153,6 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
       list.push_back(effectHypothesis(info, info.fitted, ""));
       orderSector(list.back());
       if (info.name == "exhaust-cloud") placeCloud(list.back());
-      if (info.name == "quantisation") narrowToComb(replay, list.back());
     }
     for (const model::FittedForm& form : info.other_forms) {
       if (!hasSubject(replay, entry, form.parameters)) continue;
@@ -202,6 +202,9 @@ void addPatterns(const Replay& replay, const std::vector<std::string>& only, std
 void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
   addEffects(replay, only, list);
   addParts(replay.experiment().sensors, list);
+  for (Hypothesis& hypothesis : list) {
+    if (hypothesis.name == "quantisation" && hypothesis.variant.empty()) narrowToComb(replay, hypothesis);
+  }
   addPatterns(replay, only, list);
 }
 

@@ -98,10 +98,11 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   return exact ? *exact : Comb{step, place * step * step};
 }
 
-std::optional<Comb> rangeComb(const Replay& replay) {
+std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {
   std::vector<double> ranges;
   double step_m = replay.resolution(kRange);
   for (const ReplaySample& sample : replay.samples()) {
+    if (!sensors.empty() && std::find(sensors.begin(), sensors.end(), sample.sample->sensor) == sensors.end()) continue;
     ranges.insert(ranges.end(), sample.measured.range_m.begin(), sample.measured.range_m.end());
     step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
   }

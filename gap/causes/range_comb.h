@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gap/replay/replay.h"
@@ -20,7 +21,8 @@ struct Comb {
 /// than the rounding, or reach too many steps far for it to be told. `values` need not be in order.
 [[nodiscard]] std::optional<Comb> combOf(std::vector<double> values, double rounding);
 
-/// The comb of all measured ranges, if it is coarser than the steps of the sensors' own profiles. [m]
-[[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay);
+/// The comb of all ranges that these sensors measured (none named: all), if it is coarser than the steps of their own
+/// profiles. [m]
+[[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors = {});
 
 }  // namespace gap

@@ -19,7 +19,8 @@ constexpr int kNullRuns = 20;              // their spread is known to a sixth
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
 constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams
-constexpr std::size_t kPolished = 3;  // of them fitted with more frames
+constexpr std::size_t kPolished = 3;  // of them fitted with more frames, and
+constexpr double kRival = 0.15;       // in merit: those that may yet lead, which fits of one kind alone can tell
 constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kScoutBeams = 180;    // a sample: enough to find about where a reference is
@@ -254,7 +255,10 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
     std::stable_sort(candidates.begin(), behind, better);
   };
   lookAt(leaders, false);
-  lookAt(std::min(leaders, candidates.front().hypothesis.members.empty() ? kPolished : kPolishedPairs), true);
+  const bool pairs = !candidates.front().hypothesis.members.empty();
+  std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
+  while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kRival) ++refined;
+  lookAt(refined, true);
   // What was not looked at closely is no better than what was.
   const double of_last = (behind - 1)->merit;
   std::for_each(behind, candidates.end(),

@@ -98,6 +98,24 @@ TEST(SideBySideDiagnosis, NoneIsSaidWhereBothSensorsAreAsTheirModels) {
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kNone);
 }
 
+// The other sensor's ranges lie anywhere, so that all of them together lie on no comb.
+TEST(SideBySideDiagnosis, SeesTheCoarseStepsOfOneSensorInItsOwnRanges) {
+  const SideBySide world;
+  const auto measured =
+      world.measuredBy(SideBySide::modelWith({{"quantisation", {{"range_step_m", 0.23}, {"sensors", {"right"}}}}}));
+  const gap::Replay replay(measured, SideBySide::modelWith({}));
+  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {"quantisation"})) {
+    if (hypothesis.name != "quantisation" || !hypothesis.variant.empty()) continue;
+    const bool of_right = hypothesis.sensors == std::vector<std::string>{"right"};
+    EXPECT_EQ(hypothesis.seen_in_values, of_right);
+    if (of_right) {
+      EXPECT_NEAR(hypothesis.parameters.front().start, 0.23, 1e-3);
+    }
+  }
+  EXPECT_EQ(diagnosed(measured, {"quantisation", "pulse-jitter"}).causes.front().sensors,
+            std::vector<std::string>{"right"});
+}
+
 TEST(LayerGains, AreThoseOfTheDataForTheSensorThatHasThem) {
   const SideBySide world;
   const auto truth = SideBySide::modelWith(
