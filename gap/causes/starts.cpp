@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 
 #include "core/physics.h"
 
@@ -15,59 +14,6 @@ constexpr std::size_t kMostStrata = 4;                           // of azimuth, 
 constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
 constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
 constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};       // of the echo separation: within it two echoes are one
-
-/// Where the echoes are that neither a surface nor the world makes, if they lie together: the middle of their
-/// quartiles, the width of an even distribution with these (a beam's at least), and the median range.
-struct ExtraEchoes {
-  double azimuth_deg, width_deg, range_m;
-};
-
-/// Echoes that one beam has where no surface is, more than the world expects.
-struct Extra {
-  double range_m, azimuth_deg, count;
-};
-
-/// The most echoes that lie within a tenth of their distance (a metre at least); `all` by range. Echoes of a second
-/// cause may be spread over all ranges, and would move a mean or median of all to where there are none.
-std::span<const Extra> densestOf(std::span<const Extra> all) {
-  std::span<const Extra> densest;
-  double most = 0.0, count = 0.0;
-  for (std::size_t from = 0, to = 0; from < all.size(); ++from) {
-    const double end_m = all[from].range_m + std::max(1.0, 0.1 * all[from].range_m);
-    for (; to < all.size() && all[to].range_m <= end_m; ++to) count += all[to].count;
-    if (count > most) {
-      most = count;
-      densest = all.subspan(from, to - from);
-    }
-    count -= all[from].count;
-  }
-  return densest;
-}
-
-std::optional<ExtraEchoes> extraEchoes(const Replay& replay, const WhereResult& where) {
-  constexpr std::size_t kFewest = 5;
-  constexpr double kMostExpected = 0.5;  // of a beam's: what a pane lets through comes as the world expects it
-  std::vector<Extra> all;
-  for (std::size_t i = 0; i < replay.samples().size(); ++i) {
-    const ReplaySample& sample = replay.samples()[i];
-    for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
-      const CellStatistics& s = sample.statistics[c];
-      const double expected = where.expected[i][c].count * sample.frames / where.frames[i];
-      if (s.count == 0.0 || expected > kMostExpected * s.count || sample.layout->cells()[c].at_edge) continue;
-      all.push_back({s.mean(kRange), sample.beams[sample.layout->cells()[c].beam].azimuth_rad * core::kDegPerRad,
-                     s.count - expected});
-    }
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Extra& a, const Extra& b) { return a.range_m < b.range_m; });
-  const auto densest = densestOf(all);
-  if (densest.size() < kFewest) return std::nullopt;
-  std::vector<double> azimuths_deg;
-  for (const Extra& extra : densest) azimuths_deg.push_back(extra.azimuth_deg);
-  std::sort(azimuths_deg.begin(), azimuths_deg.end());
-  const double low_deg = azimuths_deg[densest.size() / 4], high_deg = azimuths_deg[densest.size() * 3 / 4];
-  return ExtraEchoes{0.5 * (low_deg + high_deg), std::max(azimuthStep_deg(replay), 2.0 * (high_deg - low_deg)),
-                     densest[densest.size() / 2].range_m};
-}
 
 const model::SensorProfile& sensorOf(const Replay& replay) {
   return replay.baseline().model.sensor(replay.samples().front().sample->sensor);
@@ -170,7 +116,7 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
   }
   if (starts.has("azimuth_deg") && starts.has("range_m")) {
-    if (const auto extra = extraEchoes(replay, where)) {
+    if (const auto& extra = where.unexpected) {
       starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
     }
   }
@@ -197,7 +143,7 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
                     {"size_m", r * width_rad}});
       }
     }
-    if (const auto extra = extraEchoes(replay, where)) {
+    if (const auto& extra = where.unexpected) {
       const double azimuth_rad = extra->azimuth_deg * core::kRadPerDeg;
       starts.add({{"centre_x_m", extra->range_m * std::cos(azimuth_rad)},
                   {"centre_y_m", extra->range_m * std::sin(azimuth_rad)},

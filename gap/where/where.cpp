@@ -75,6 +75,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   result.by_beam = withMovedEchoes(replay, result.tables, measured, simulated);
   result.rows = whereRows(replay, result.by_beam, result.expected);
   result.sectors = sectorsIn(replay, result.tables);
+  result.unexpected = unexpectedEchoes(replay, result.expected, frames);
   result.false_echoes_per_shot = falseEchoesPerShot(replay, result.expected, frames);
   for (const ResidualTable& table : result.tables) {
     if (table.component == "missing") result.gate = gateIn(replay, table);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gap/where/gate.h"
 #include "gap/where/sectors.h"
 #include "gap/where/strata.h"
+#include "gap/where/unexpected_echoes.h"
 
 namespace gap {
 
@@ -18,7 +20,8 @@ struct WhereResult {
   std::vector<int> frames;             ///< in so many frames of every sample
   std::vector<Sector> sectors;         ///< that explain the residuals best (sectors.h)
   Gate gate;                           ///< that explains what is missing best (gate.h)
-  double false_echoes_per_shot = 0.0;  ///< that no surface makes, more than the world expects
+  std::optional<UnexpectedEchoes> unexpected;  ///< that lie together (unexpected_echoes.h)
+  double false_echoes_per_shot = 0.0;          ///< that no surface makes, more than the world expects
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps
 };
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);
