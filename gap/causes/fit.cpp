@@ -9,8 +9,9 @@ namespace gap {
 
 namespace {
 
-constexpr Reach kNear{.line = 0.12, .step = 0.06, .trials = 70};   // of the coarse optimum
-constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40};   // of values that are nearly right: more frames
+constexpr Reach kNear{.line = 0.12, .step = 0.06, .trials = 70};  // of the coarse optimum
+/// Of values that are nearly right: more frames.
+constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40, .trials_in_valley = 60};
 constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24};  // only to show whether a better fit is worth it
 constexpr unsigned kPlacesOfOne = 7;                               // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;

@@ -20,6 +20,8 @@ class Objective {
   [[nodiscard]] double operator()(const std::vector<double>& unit) const;
   /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
+  /// Whether small steps change little: the ends of sectors and counts jump.
+  [[nodiscard]] bool smooth() const;
   [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
 
  private:
@@ -45,16 +47,17 @@ struct Point {
 
 /// How far a search goes from its start, in the unit cube, and how long.
 struct Reach {
-  double line;  ///< to both sides, where there is one number
-  double step;  ///< the first, where there are several,
-  int trials;   ///< and how many
+  double line;               ///< to both sides, where there is one number
+  double step;               ///< the first, where there are several,
+  int trials;                ///< and how many,
+  int trials_in_valley = 0;  ///< and how many more along a valley, where the objective is smooth
 };
 
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.
 inline constexpr int kLineBits = 13;
 
-/// The values that a bounded search around a place ends with (Brent on a line, else Subplex of NLopt), never worse than
-/// the start.
+/// The values that a bounded search around a place ends with (Brent on a line, else Subplex and Nelder-Mead of NLopt),
+/// never worse than the start.
 [[nodiscard]] std::vector<double> searched(const Objective& objective, const std::vector<double>& start,
                                            const Reach& reach);
 

@@ -70,7 +70,8 @@ std::vector<double> nearestStart(const Replay& replay, const Hypothesis& hypothe
 }
 
 /// The better of two fits: from where the coarse search ended, and from what the residual map suggests. A sector as
-/// wide as the view may come as near with few samples, and no small step leads from there to where it ends.
+/// wide as the view may come as near with few samples, and no small step leads from there to where it ends. What the
+/// fitted samples leave open (a gate opens somewhere between two walls), the map, which all samples made, tells.
 std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, const std::vector<double>& scouted,
                              const WhereResult& where, const core::Progress& progress) {
   const Evidence evidence = fittedFor(judge, hypothesis);
@@ -86,7 +87,8 @@ std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, c
       nearestStart(judge.replay, hypothesis, few, std::numeric_limits<double>::infinity(), where, progress);
   if (suggested.empty() || suggested == scouted) return fitted;
   std::vector<double> other = fit(suggested);
-  return distance(other) < distance(fitted) ? other : fitted;
+  if (distance(other) < distance(fitted)) fitted = std::move(other);
+  return distance(suggested) < distance(fitted) + Judge::kNatsPerNumber ? suggested : fitted;
 }
 
 /// The values with every number that does less than it costs put where it does nothing: an effect of several mechanisms

@@ -10,7 +10,8 @@ namespace {
 class SurfaceMoisture final : public Effect {
  public:
   explicit SurfaceMoisture(const EffectParameters& parameters)
-      : film_{parameters.numberOr("wetness", 0.5), parameters.numberOr("lobe_exponent", WetFilm::kLobeExponent)} {}
+      : film_{parameters.numberOr("wetness", 0.5), parameters.numberOr("lobe_exponent", WetFilm::kLobeExponent),
+              parameters.numberOr("film_reflectance", WetFilm::kReflectance)} {}
 
   [[nodiscard]] bool changesPower() const override { return true; }
   [[nodiscard]] double powerFactor(const Reflection& reflection) const override {
@@ -30,9 +31,12 @@ EffectEntry surfaceMoisture() {
                    .percollect = {"130"},
                    .parameters = {{"wetness", "", 0.0, 1.0, 0.5, "0 dry, 1 under a closed film", false, 0.6},
                                   {"lobe_exponent", "", 2.0, 2000.0, WetFilm::kLobeExponent,
-                                   "How flat the film is: sharpness of its lobe", true, 100.0}},
+                                   "How flat the film is: sharpness of its lobe", true, 100.0},
+                                  {"film_reflectance", "", 0.012, 0.035, WetFilm::kReflectance,
+                                   "Share of the light in the lobe of a closed film", true, 0.02}},
                    .fitted = {"wetness"},
-                   .other_forms = {{"flatter or rougher film", {"wetness", "lobe_exponent"}}},
+                   .other_forms = {{"flatter or rougher film", {"wetness", "lobe_exponent"}},
+                                   {"other film", {"wetness", "lobe_exponent", "film_reflectance"}, true}},
                    .source = "Lekner & Dorf 1988, doi:10.1364/AO.27.001278"},
           .make = makeFrom<SurfaceMoisture>};
 }

@@ -7,19 +7,18 @@ namespace model {
 
 namespace {
 
-constexpr double kFilmReflectance = 0.02;
 constexpr double kReflectedInside = 0.472;
 
 }  // namespace
 
-double WetFilm::diffuseUnderFilm(double dry_reflectivity) {
-  return (1.0 - kFilmReflectance) * (1.0 - kReflectedInside) * dry_reflectivity /
+double WetFilm::diffuseUnderFilm(double dry_reflectivity, double reflectance) {
+  return (1.0 - reflectance) * (1.0 - kReflectedInside) * dry_reflectivity /
          (1.0 - kReflectedInside * dry_reflectivity);
 }
 
 double WetFilm::brdf(double dry_reflectivity, const ReflectionAngles& angles) const {
-  const double wet = lambertianBrdf(diffuseUnderFilm(dry_reflectivity)) +
-                     lambertianBrdf(kFilmReflectance) * phongLobe(lobe_exponent, angles.cosToMirror());
+  const double wet = lambertianBrdf(diffuseUnderFilm(dry_reflectivity, reflectance)) +
+                     lambertianBrdf(reflectance) * phongLobe(lobe_exponent, angles.cosToMirror());
   return (1.0 - wetness) * lambertianBrdf(dry_reflectivity) + wetness * wet;
 }
 

@@ -9,8 +9,11 @@ namespace model {
 ///   diffuse   Γ_wet = (1 - F)(1 - p) Γ / (1 - p Γ)      light is trapped under the film and absorbed
 ///   specular  F (n+2)/2 cos^n α                         α angle to the mirror direction, 2θ from the sensor
 ///
-///   F = 0.02    Fresnel reflectance from air to water (index 1.33) at normal incidence
-///   p = 0.472   share of the diffuse light that the film throws back inside: 1 - (1 - 0.066)/1.33²
+///   F = 0.02    Fresnel reflectance from air to water (index 1.33) at normal incidence; 0.012 to 0.035 for liquids and
+///               ice of index 1.25 to 1.45
+///   p = 0.472   share of the diffuse light that the film throws back inside: 1 - (1 - 0.066)/1.33²; Ångström, without
+///               the 0.066 of light from all sides, has 0.435, so how dark a lobe makes the rest is not known to a
+///               fifth
 ///   n           sharpness of the lobe: a film follows rough ground and is as flat as that, which no formula says
 ///
 /// `wetness` mixes dry (0) and closed film (1): the share of the area that is covered.
@@ -19,12 +22,14 @@ namespace model {
 /// Source: Lekner & Dorf 1988, doi:10.1364/AO.27.001278 (after Ångström 1925).
 struct WetFilm {
   static constexpr double kLobeExponent = 100.0;  ///< of a film whose n nobody knows
+  static constexpr double kReflectance = 0.02;
 
   double wetness = 0.0;
   double lobe_exponent = kLobeExponent;  ///< n
+  double reflectance = kReflectance;     ///< F
 
   /// Reflectivity of the diffuse part under a closed film.
-  [[nodiscard]] static double diffuseUnderFilm(double dry_reflectivity);
+  [[nodiscard]] static double diffuseUnderFilm(double dry_reflectivity, double reflectance = kReflectance);
   /// What the film makes of a Lambertian surface. [1/sr]
   [[nodiscard]] double brdf(double dry_reflectivity, const ReflectionAngles& angles) const;
   /// Monostatic return over that of the dry surface; 1 for a black one.

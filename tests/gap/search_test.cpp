@@ -171,6 +171,31 @@ TEST_F(Search, FitsTheEndsOfASectorThatIsNearlyTheWholeView) {
   EXPECT_NEAR(ranked[0].values[2], 16.4, 0.6);
 }
 
+// Fitted walls end at 13.9 m and begin at 27; the one that the gate cuts is held out.
+TEST_F(Search, TakesWhatTheFittedSamplesLeaveOpenFromWhereEchoesAreLost) {
+  measure({{"range-gating", {{"from_m", 19.6}, {"to_m", 1000.0}}}});
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  core::SilentProgress progress;
+  const auto ranked = gap::rank(judge, {effect("range-gating")}, where, progress);
+  ASSERT_EQ(ranked[0].hypothesis.parameters[0].name, "from_m");
+  EXPECT_NEAR(ranked[0].values[0], 19.6, 0.1);
+  EXPECT_GT(ranked[0].explained, 0.9);
+}
+
+// The wetter a surface and the flatter its film, the brighter its lobe: what one number has too little the other makes
+// up for, nearly.
+TEST_F(Search, FollowsTheNarrowValleyOfNumbersOfLikeEffect) {
+  measure({{"surface-moisture", {{"wetness", 0.5}, {"lobe_exponent", 30.0}, {"film_reflectance", 0.03}}}});
+  const auto forms = gap::hypothesesFor(*replay_, {"surface-moisture"});
+  const auto film = std::find_if(forms.begin(), forms.end(), [](const auto& h) { return h.variant == "other film"; });
+  ASSERT_NE(film, forms.end());
+  const auto found = gap::refine(*replay_, *film, split_.refined, {0.4, 50.0, 0.02}, core::SilentProgress());
+  EXPECT_NEAR(found[0], 0.5, 0.02);
+  EXPECT_NEAR(found[1], 30.0, 1.5);
+  EXPECT_NEAR(found[2], 0.03, 0.002);
+}
+
 // A lobe is absent where all of the reflection is diffuse, at the upper end of that share.
 TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
   measure({{"angular-reflection", {{"model", "phong"}, {"diffuse_fraction", 0.97}, {"exponent", 20}}}});
