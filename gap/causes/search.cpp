@@ -132,12 +132,14 @@ double onTrial(unsigned n, const double* x, double*, void* data) {
   }
 }
 
-/// An algorithm of NLopt, and when it ends: after so many trials, or when it moves less in the unit cube.
+/// An algorithm of NLopt, and when it ends: after so many trials, or when it moves less in the unit cube, or gains
+/// less.
 struct Search {
   nlopt_algorithm algorithm;
   double first_step;
   int trials;
   double least_step;
+  double least_gain = 0.0;
 };
 
 std::vector<double> searchedBy(const Search& search, const Objective& objective, std::vector<double> start) {
@@ -150,6 +152,7 @@ std::vector<double> searchedBy(const Search& search, const Objective& objective,
   nlopt_set_initial_step(optimiser.get(), objective.firstSteps(search.first_step).data());
   nlopt_set_xtol_abs1(optimiser.get(), search.least_step);
   nlopt_set_ftol_rel(optimiser.get(), 0.2 * search.least_step);
+  nlopt_set_ftol_abs(optimiser.get(), search.least_gain);
   nlopt_set_maxeval(optimiser.get(), search.trials);
   for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
   double best = 0.0;
@@ -162,18 +165,17 @@ std::vector<double> searchedBy(const Search& search, const Objective& objective,
 /// which follows the narrow valley that numbers of like effect make (how wet a surface is, and how flat the film),
 /// again and again while it leads on.
 std::vector<double> refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
-  constexpr int kWalks = 4;
-  constexpr double kLeadsOn = 0.5;  // nats
-  constexpr double kNarrower = 0.25;
+  constexpr int kWalks = 3;
+  constexpr double kLeadsOn = 0.5, kLeastGain = 0.05, kLeastStep = 5e-5;  // nats, nats, of the unit cube
   std::vector<double> refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
   if (reach.trials_in_valley == 0 || !objective.smooth()) return refined;
-  double known = objective(refined), step = reach.step;
-  for (int walk = 0; walk < kWalks; ++walk) {
-    std::vector<double> further =
-        searchedBy({NLOPT_LN_NELDERMEAD, step, reach.trials_in_valley, 5e-5}, objective, refined);
-    const double left = objective(further), gained = known - left;
-    if (gained < kLeadsOn) step *= kNarrower;
-    if (gained <= 0.0) continue;
+  double known = objective(refined), gained = kLeadsOn;
+  for (int walk = 0; walk < kWalks && gained >= kLeadsOn; ++walk) {
+    std::vector<double> further = searchedBy(
+        {NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain}, objective, refined);
+    const double left = objective(further);
+    gained = known - left;
+    if (gained <= 0.0) break;
     known = left;
     refined = std::move(further);
   }
