@@ -37,6 +37,12 @@ class Search : public testing::Test {
   [[nodiscard]] gap::Scouted scouted(const gap::Hypothesis& hypothesis) const {
     return gap::scout(*replay_, hypothesis, split_.fitted, {}, core::SilentProgress());
   }
+  /// An effect as it is ranked, with what the residual map suggests.
+  [[nodiscard]] gap::Candidate rankedAlone(const char* name) const {
+    const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+    core::SilentProgress progress;
+    return gap::rank(judge, {effect(name)}, gap::whereIn(*replay_, replay_->baseline(), 1), progress).front();
+  }
 
   SmallWorld world_;
   model::Experiment measured_;
@@ -161,26 +167,20 @@ TEST_F(Search, SeesNoSectorWhereNothingDiffers) {
 // Three frames of four samples do not tell a sector of 34° from the whole view of 40°.
 TEST_F(Search, FitsTheEndsOfASectorThatIsNearlyTheWholeView) {
   measure({{"cover-contamination", {{"attenuation", 0.02}, {"azimuth_from_deg", -17.4}, {"azimuth_to_deg", 16.4}}}});
-  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
-  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
-  core::SilentProgress progress;
-  const auto ranked = gap::rank(judge, {effect("cover-contamination")}, where, progress);
-  ASSERT_EQ(ranked[0].hypothesis.parameters[1].name, "azimuth_from_deg");
-  EXPECT_NEAR(ranked[0].values[0], 0.02, 0.005);
-  EXPECT_NEAR(ranked[0].values[1], -17.4, 0.6);
-  EXPECT_NEAR(ranked[0].values[2], 16.4, 0.6);
+  const gap::Candidate found = rankedAlone("cover-contamination");
+  ASSERT_EQ(found.hypothesis.parameters[1].name, "azimuth_from_deg");
+  EXPECT_NEAR(found.values[0], 0.02, 0.005);
+  EXPECT_NEAR(found.values[1], -17.4, 0.6);
+  EXPECT_NEAR(found.values[2], 16.4, 0.6);
 }
 
 // Fitted walls end at 13.9 m and begin at 27; the one that the gate cuts is held out.
 TEST_F(Search, TakesWhatTheFittedSamplesLeaveOpenFromWhereEchoesAreLost) {
   measure({{"range-gating", {{"from_m", 19.6}, {"to_m", 1000.0}}}});
-  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
-  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
-  core::SilentProgress progress;
-  const auto ranked = gap::rank(judge, {effect("range-gating")}, where, progress);
-  ASSERT_EQ(ranked[0].hypothesis.parameters[0].name, "from_m");
-  EXPECT_NEAR(ranked[0].values[0], 19.6, 0.1);
-  EXPECT_GT(ranked[0].explained, 0.9);
+  const gap::Candidate found = rankedAlone("range-gating");
+  ASSERT_EQ(found.hypothesis.parameters[0].name, "from_m");
+  EXPECT_NEAR(found.values[0], 19.6, 0.1);
+  EXPECT_GT(found.explained, 0.9);
 }
 
 // The wetter a surface and the flatter its film, the brighter its lobe: what one number has too little the other makes
