@@ -15,6 +15,7 @@ import baselines
 import build
 import cases
 import packages
+import recorded
 import report
 import run
 import score
@@ -54,6 +55,8 @@ def arguments(argv):
                         help="who makes the data: the built-in model, or the second generator (default: own for build, both for run)")
     parser.add_argument("--count", type=int, default=100, help="cases to build (default: 100)")
     parser.add_argument("--seed", type=int, default=1, help="of the cases (default: 1)")
+    parser.add_argument("--scenes", type=Path, default=None, metavar="FOLDER",
+                        help="build in the scenes of the packages in this folder, with their sensors (default: invented ones)")
     parser.add_argument("--class", dest="classes", default="", help="only these classes, a,b")
     parser.add_argument("--effects", default="", help="only these causes, a,b: effects, parameters as `cases` names them")
     parser.add_argument("--case", default="", help="only this case; prints its verdict beside the truth")
@@ -126,13 +129,26 @@ def program(options, name):
     return path
 
 
+def scenes_of(options):
+    """Packages in whose scenes cases are built; none: invented scenes."""
+    if options.scenes is None:
+        return []
+    given = recorded.read(options.scenes)
+    if not given:
+        raise UserError(f"no package with one sensor in {options.scenes}\n  Name a folder with NAME/experiment.json and NAME/model.json in it.")
+    return given
+
+
 def build_cases(options):
     generator = options.generator or "own"
     program(options, "fidelis"), program(options, {"own": "fidelis", "foreign": "withheld_generator"}[generator])
-    slots = itertools.islice(cases.slots(options.seed, options.classes, options.effects, cases.laws_of(generator)),
-                             options.count)
+    given = scenes_of(options)
+    classes = options.classes
+    if given and not classes:
+        classes = [c for c in cases.CLASSES if c != "ambiguous"]  # whose design is an invented one
+    slots = itertools.islice(cases.slots(options.seed, classes, options.effects, cases.laws_of(generator)), options.count)
     failed = [text for number, text in at_once("build", options.jobs, build.build, (
-        (options.seed, slot, options.cases, options.bin, generator) for slot in slots)) if number is None]
+        (options.seed, slot, options.cases, options.bin, generator, given) for slot in slots)) if number is None]
     for text in failed:
         print("  not built:", text, file=sys.stderr)
 

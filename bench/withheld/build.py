@@ -15,6 +15,7 @@ import cases
 import distance
 import packages
 import severity
+import standing
 import worlds
 
 ATTEMPTS = 8
@@ -112,8 +113,8 @@ def shift_by_measurand(lab, tables, complete, lacking):
     return totals
 
 
-def build(seed, slot, folder, bin_folder, generator="own"):
-    """Writes the case and returns (id, text about it); a case that exists is left alone."""
+def build(seed, slot, folder, bin_folder, generator="own", given=()):
+    """Writes the case and returns (id, text about it); a case that exists is left alone. `given`: packages whose scenes are used."""
     number = case_id(seed, slot, generator)
     home = Path(folder) / number
     if (home / "case.json").exists():
@@ -121,7 +122,7 @@ def build(seed, slot, folder, bin_folder, generator="own"):
     why = "no draw could show it"
     for attempt in range(ATTEMPTS):
         try:
-            text = try_build(seed, slot, attempt, number, home, bin_folder, generator)
+            text = try_build(seed, slot, attempt, number, home, bin_folder, generator, given)
             if text:
                 return number, text
             why = "never visible above the set-up noise"
@@ -132,11 +133,11 @@ def build(seed, slot, folder, bin_folder, generator="own"):
     return None, f"{slot[0]} {slot[1]}: {why}"
 
 
-def try_build(seed, slot, attempt, number, home, bin_folder, generator):
+def try_build(seed, slot, attempt, number, home, bin_folder, generator, given):
     class_name, name, _ = slot
     for again in range(40):  # draws that cannot show the cause cost nothing
         try:
-            draft = cases.draw(seed, slot, f"{attempt}.{again}")
+            draft = cases.draw(seed, slot, f"{attempt}.{again}", given)
             break
         except cases.Impossible:
             continue
@@ -178,6 +179,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator):
         "severity": s | {"members": members}, "strength": u,
         "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where, "sensors": draft.sensors,
                   "hidden_by": draft.hide_by, "measurands": [n for n, v in shifts.items() if visible and v > 0.3 * largest],
+                  "stands_out": standing.measurands(lab.held, complete, lacking) if visible else [],
                   "shifts": shifts, "oracle": oracle(lab, tables, world, model, lacking)},
         "detections": sum(len(t["layer"]) for t in tables.values())})
     return f"{class_name} {'+'.join(draft.names) or name} in {draft.family}, severity {s['value']:.2g}"

@@ -25,6 +25,7 @@ from dataclasses import dataclass, field
 import effects
 import outside
 import packages
+import recorded
 import scenes
 import sensors
 
@@ -153,10 +154,20 @@ def package(rng, scene, profile):
             "materials": scene.materials, "scene": scene.objects, "samples": samples}, known_m
 
 
-def draw(seed, slot, attempt):
-    """The draft of a slot. Raises Impossible."""
+def draw(seed, slot, attempt, given=()):
+    """The draft of a slot. `given`: packages (recorded.py) whose scenes and sensors take the place of the families here. Raises
+    Impossible."""
     class_name, name, number = slot
     rng = random.Random(f"case/{seed}/{class_name}/{name}/{number}/{attempt}")
+    draft, scene = draw_recorded(rng, rng.choice(given)) if given else draw_invented(rng, class_name, name)
+    if class_name == "beside":
+        put_beside(rng, draft, scene, draft.baseline["sensor"])
+    MAKERS[class_name](rng, draft, scene, name)
+    return draft
+
+
+def draw_invented(rng, class_name, name):
+    """(draft without a cause, scene)"""
     family = rng.choice(list(scenes.FAMILIES))
     if class_name == "ambiguous":
         family = "range-sweep"
@@ -169,11 +180,16 @@ def draw(seed, slot, attempt):
     baseline = {"format": "fidelis-model", "version": 1, "id": "baseline", "sensor": profile,
                 "rays_per_beam": rng.choice([[11, 11], [11, 15]]), "seed": rng.randint(1, 10**6), "effects": present}
     scatter = {scene.references[0]: known_m / 2} if rng.random() < 0.9 else {}
-    draft = Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter)
-    if class_name == "beside":
-        put_beside(rng, draft, scene, profile)
-    MAKERS[class_name](rng, draft, scene, name)
-    return draft
+    return Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter), scene
+
+
+def draw_recorded(rng, given):
+    """The same in the scene of a package, with its sensor and the effects that its model has."""
+    scene, experiment = recorded.scene_of(given), recorded.package_of(rng, given)
+    baseline = copy.deepcopy(given.model) | {"id": "baseline", "seed": rng.randint(1, 10**6)}
+    known_m = recorded.tolerance_m(experiment)
+    scatter = {scene.references[0]: known_m / 2} if known_m else {}
+    return Draft(experiment, baseline, given.name, "none", [], lambda u: Cause(), scatter), scene
 
 
 def put_beside(rng, draft, scene, profile):
@@ -306,7 +322,8 @@ def make_reference(rng, draft, scene, name):
 
 
 def make_none(rng, draft, scene, name):
-    draft.scatter = {} if name == "quiet" else {scene.references[0]: draft.experiment["samples"][0]["epistemic"][0]["offset_interval"][1] / 2}
+    known_m = recorded.tolerance_m(draft.experiment)
+    draft.scatter = {} if name == "quiet" or not known_m else {scene.references[0]: known_m / 2}
 
 
 def make_outside(rng, draft, scene, name):

@@ -20,6 +20,11 @@ def seed_of(about):
     return int(found.group(1)) if found else 1
 
 
+def heading(about):
+    scenes = ", scenes of packages" if "--scenes" in about["command"] else ""
+    return f"seed {seed_of(about)}{scenes}, {about['version']}, {about['date'][5:]}"
+
+
 def keep(out, about, rows):
     """Writes the set and returns its file."""
     path = out / "sets" / f"{about['date']}-{about['version']}-{seed_of(about)}.json"
@@ -57,7 +62,7 @@ def markdown(sets):
     tables = [score.table(s["cases"]) for s in sets]
     newest, everything = pooled(sets[:NEWEST]), pooled(sets)
     head = ["what", "wanted", f"newest {len(sets[:NEWEST])} together", "all together",
-            *(f"seed {seed_of(s)}, {s['version']}, {s['date'][5:]}" for s in sets)]
+            *map(heading, sets)]
     lines = ["| " + " | ".join(head) + " |", "|" + "-|" * len(head)]
     for i, (what, wanted, together) in enumerate(everything):
         if together["n"]:

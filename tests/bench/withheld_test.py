@@ -22,6 +22,7 @@ import chance
 import distance
 import effects
 import packages
+import recorded
 import report
 import run
 import scenes
@@ -29,6 +30,7 @@ import score
 import sensors
 import sets
 import severity
+import standing
 
 
 class Chance(unittest.TestCase):
@@ -73,6 +75,70 @@ class Distance(unittest.TestCase):
     def test_half_of_the_echoes_missing(self):
         full = {"layer": [0, 0], "azimuth_rad": [0.01, 0.5]}
         self.assertEqual(distance.existence({"layer": [0], "azimuth_rad": [0.01]}, full, 1), (0.5, 0.0))
+
+
+def measured(rng, beams, shift=0.0, lost=()):
+    """Two layers of `beams` beams, 20 frames of them: ranges of 10 m that scatter by 0.02 m; those of layer 1 are moved by `shift`."""
+    rows = [(layer, 0.01 * i, 10.0 + rng.gauss(0, 0.02) + (shift if layer else 0.0)) for layer in (0, 1) for i in range(beams)
+            for frame in range(20) if i not in lost or frame % 2]
+    layers, azimuths, ranges = zip(*rows)
+    return {"layer": list(layers), "azimuth_rad": list(azimuths), "echo": [1] * len(rows), "range_m": list(ranges)}
+
+
+class Standing(unittest.TestCase):
+    EXPERIMENT = {"samples": [{"id": "s", "frames": 20}], "measurands": [{"name": "range", "column": "range_m", "resolution": 0.001}]}
+
+    def found(self, real, simulated):
+        return standing.measurands(self.EXPERIMENT, {"s": real}, {"s": simulated})
+
+    def test_noise_stands_out_nowhere(self):
+        rng = random.Random(3)
+        self.assertEqual(self.found(measured(rng, 100), measured(rng, 100)), [])
+
+    def test_one_layer_that_is_off_by_half_of_the_noise_stands_out(self):
+        rng = random.Random(3)
+        self.assertEqual(self.found(measured(rng, 100, 0.01), measured(rng, 100)), ["range"])
+
+    def test_what_is_sure_but_smaller_than_a_tenth_of_the_noise_does_not(self):
+        rng = random.Random(3)
+        self.assertEqual(self.found(measured(rng, 2000, 0.0015), measured(rng, 2000)), [])  # 11 standard errors in its layer
+
+    def test_a_few_beams_that_lose_every_second_echo_are_a_gap_of_existence_alone(self):
+        rng = random.Random(3)
+        self.assertEqual(self.found(measured(rng, 100, lost=range(10, 20)), measured(rng, 100)), ["existence"])
+
+
+class Recorded(unittest.TestCase):
+    def package(self, folder):
+        rng = random.Random(5)
+        scene = scenes.range_sweep(rng)
+        profile = sensors.draw(rng, scene)
+        experiment, _ = cases.package(rng, scene, profile)
+        packages.write(Path(folder) / "sweep" / "experiment.json", experiment)
+        packages.write(Path(folder) / "sweep" / "model.json", {"format": "fidelis-model", "version": 1, "id": "m", "sensor": profile,
+                                                               "rays_per_beam": [11, 11], "seed": 3, "effects": {"beam-divergence": {}}})
+        return scene, experiment
+
+    def test_cases_keep_the_scene_and_the_sensor_of_a_package_but_not_its_name_nor_its_roles(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene, experiment = self.package(folder)
+            given = recorded.read(Path(folder))
+            self.assertEqual([g.name for g in given], ["sweep"])
+            self.assertEqual(recorded.scene_of(given[0]).shows, {"edges", "ranges"})
+            self.assertEqual(recorded.scene_of(given[0]).reach_m, max(p["range_m"] for p, _ in scene.samples))
+            draft = cases.draw(1, ("effect", "range-offset", 1), "0", given)
+            self.assertEqual((draft.experiment["scene"], draft.experiment["sensor"]), (experiment["scene"], experiment["sensor"]))
+            self.assertEqual(draft.experiment["id"], "case")
+            roles = lambda e: [s["role"] for s in e["samples"]]
+            self.assertEqual(sorted(roles(draft.experiment)), sorted(roles(experiment)))
+            self.assertNotEqual(roles(draft.experiment), roles(experiment))
+            self.assertEqual(draft.names, ["range-offset"])
+
+    def test_what_its_scene_cannot_show_is_not_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.package(folder)
+            with self.assertRaises(cases.Impossible):
+                cases.draw(1, ("effect", "blooming", 1), "0", recorded.read(Path(folder)))
 
 
 class Worlds(unittest.TestCase):
