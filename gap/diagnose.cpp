@@ -20,10 +20,10 @@ namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
 constexpr double kSignificance = 1e-3;  // of the gap being present at all
-constexpr double kPairBelief = 0.92;    // of the belief in one cause: either of the two may be another one
+constexpr double kPairBelief = 0.85;    // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.3;     // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.5;    // belief that no cause of the library is at work
+constexpr double kLeastNamed = 0.5;     // of a cause that is named because nothing else is left: it explains little
+constexpr double kMostUnknown = 0.4;    // belief that no cause of the library is at work
 constexpr double kFramesBelief = 0.7;   // that it is none, where whole frames deviate together
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not

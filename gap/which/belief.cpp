@@ -19,8 +19,8 @@ double beliefIn(const Yardstick& yardstick, double accounted_for, CauseKind kind
     double width;  // of that share: from such a cause to one that is hardly ever wrong
   };
   Curve curve{0.65, 0.1};
-  if (kind == CauseKind::kReference) curve = {0.4, 0.1};
   if (yardstick.z() < Yardstick::kClear_z) curve = {0.77, 0.15};  // of a small gap chance explains a share, too
+  if (kind == CauseKind::kReference) curve = {0.4, 0.1};
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 

@@ -32,11 +32,9 @@ TEST(Belief, IsLessWhereTheGapIsSmall) {
     EXPECT_LT(effectIn(4.9, accounted_for), 0.95 * effectIn(5.1, accounted_for)) << accounted_for;
 }
 
-// Few causes move a surface as a wrong pose does, set-up by set-up; but of a small gap chance explains as much of
-// either.
-TEST(Belief, IsMoreInAReferenceWhereTheGapIsClear) {
-  EXPECT_GT(beliefIn(gapOf(20.0), 0.65, CauseKind::kReference), 0.85);
-  EXPECT_EQ(beliefIn(gapOf(4.0), 0.65, CauseKind::kReference), effectIn(4.0, 0.65));
+// Few causes move a surface as a wrong pose does, set-up by set-up.
+TEST(Belief, IsMoreInAReferenceHoweverSmallTheGap) {
+  for (const double z : {4.0, 20.0}) EXPECT_GT(beliefIn(gapOf(z), 0.65, CauseKind::kReference), 0.85) << z;
 }
 
 }  // namespace
