@@ -37,22 +37,23 @@ class Lab:
         self.draft, self.rng, self.bin, self.generator = draft, rng, bin_folder, generator
         self.held = packages.only(draft.experiment, {"prediction"})
 
-    def run(self, experiment, model, after=None, keep=None, generator=None):
-        return worlds.simulate(experiment, model, self.rng.randrange(1, 10**9), self.bin, generator or self.generator, after, keep)
+    def seed(self):
+        return self.rng.randrange(1, 10**9)
+
+    def run(self, experiment, model, after=None, keep=None, generator=None, seed=None):
+        return worlds.simulate(experiment, model, seed or self.seed(), self.bin, generator or self.generator, after, keep)
 
     def severity_of(self, u, draws, lacking=None):
-        """`lacking`: cause that remains in the model (of a pair); None: the baseline."""
+        """`lacking`: cause that remains in the model (of a pair); None: the baseline. With and without the cause under the same noise:
+        a cause that changes nothing has no severity."""
         cause = self.draft.cause(u)
         world, model = cases.truth_world(self.draft, cause)
         world = packages.only(world, {"prediction"})
         real = [self.run(cases.scattered(self.rng, world, self.draft.scatter), model, cause.after) for _ in range(draws)]
-        complete = self.run(world, model, cause.after)
-        if lacking:
-            partial = copy.deepcopy(self.draft.baseline)
-            partial["effects"].update(lacking)
-            without = self.run(self.held, partial)
-        else:
-            without = self.run(self.held, self.draft.baseline)
+        partial, seed = copy.deepcopy(self.draft.baseline), self.seed()
+        partial["effects"].update(lacking or {})
+        complete = self.run(world, model, cause.after, seed=seed)
+        without = self.run(self.held, partial, seed=seed)
         return severity.measure(self.held, real, complete, without)
 
     def search(self, target):
@@ -153,7 +154,8 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator, given):
         recalibrate(lab, cause)
     held_world = packages.only(world, {"prediction"})
     real = [lab.run(cases.scattered(rng, held_world, draft.scatter), model, cause.after) for _ in range(severity.REPLICATES)]
-    complete, lacking = lab.run(held_world, model, cause.after), lab.run(lab.held, draft.baseline)
+    seed = lab.seed()
+    complete, lacking = lab.run(held_world, model, cause.after, seed=seed), lab.run(lab.held, draft.baseline, seed=seed)
     if min(len(table["layer"]) for tables in (lacking, *real) for table in tables.values()) < LEAST_DETECTIONS:
         return None
     s = severity.measure(lab.held, real, complete, lacking)
@@ -202,8 +204,9 @@ def oracle(lab, tables, world, model, lacking):
     """Gap of the held-out measurement without and with the true cause, the latter by the built-in model where it knows it."""
     if lab.draft.kind == "none" or any(name.startswith("x-") for name in model["effects"]):
         return None
-    best = lab.run(packages.only(world, {"prediction"}), model, generator="own")
-    base = lab.run(lab.held, lab.draft.baseline, generator="own")
+    seed = lab.seed()
+    best = lab.run(packages.only(world, {"prediction"}), model, generator="own", seed=seed)
+    base = lab.run(lab.held, lab.draft.baseline, generator="own", seed=seed)
     mean = lambda simulated: sum(severity.gaps(lab.held, tables, simulated)) / len(lab.held["samples"])
     before, after = mean(base), mean(best)
     return {"before": before, "after": after, "shrink": 1 - after / before if before > 0 else 0.0}

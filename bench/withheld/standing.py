@@ -38,15 +38,16 @@ def of_echoes(column, step, real, simulated):
 
 
 def of_counts(real, simulated, frames):
-    """The same of echoes per shot. Their variance is that of a coin thrown once a shot, one half of an echo never quite certain."""
+    """The same of echoes per shot. Their variance is that of a coin thrown for the last of them once a shot, never quite certain."""
     counts = [defaultdict(int), defaultdict(int)]
     for table, count in zip((real, simulated), counts):
         for beam in distance.beams_of(table):
             count[beam] += 1
     found = {}
     for beam in counts[0].keys() | counts[1].keys():
-        rate = (counts[0][beam] + counts[1][beam] + 1) / (2 * frames + 2)
-        variance = max(rate * abs(1 - rate), 1 / (4 * frames))
+        rate = (counts[0][beam] + counts[1][beam]) / (2 * frames)
+        last = rate - math.floor(rate)
+        variance = max(last * (1 - last), 1 / (4 * frames))
         found[beam] = (counts[0][beam] - counts[1][beam]) / frames, 2 * variance / frames, math.sqrt(variance)
     return {"existence": found}
 

@@ -176,6 +176,18 @@ class Worlds(unittest.TestCase):
                         self.assertIsInstance(recipe(1.0), dict)
         self.assertEqual(drawn, set(effects.LIBRARY))
 
+    def test_a_cause_that_changes_nothing_has_no_severity(self):
+        def simulate(experiment, model, seed, *_):
+            rng = random.Random(seed)
+            return {s["id"]: measured(rng, 5) for s in experiment["samples"]}
+        rng = random.Random(4)
+        scene = scenes.range_sweep(rng)
+        profile = sensors.draw(rng, scene)
+        experiment, _ = cases.package(rng, scene, profile)
+        draft = cases.Draft(experiment, {"effects": {}}, "range-sweep", "effect", ["dead-time"], lambda u: cases.Cause({"dead-time": {}}), {})
+        with mock.patch.object(build.worlds, "simulate", simulate):
+            self.assertEqual(build.Lab(draft, rng, "", "own").severity_of(1.0, 2)["value"], 0.0)
+
     def test_severity_bins(self):
         self.assertEqual([severity.bin_of(s) for s in (0.1, 0.5, 1.0, 2.0, 4.0, 99.0)], [None, 0.5, 1, 2, 4, 4])
 
