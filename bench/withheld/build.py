@@ -162,6 +162,8 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator, given):
     s["bin"] = severity.bin_of(s["value"])
     if visible and (s["bin"] is None or s["value"] > LARGEST and attempt < ATTEMPTS // 3):
         return None
+    if visible and not standing.measurands(lab.held, complete, lacking, least=0.0):
+        return None  # a handful of echoes from afar moved the pooled gap
     members = {name: severity_beside(lab, u, cause, name) for name in draft.members}
     if any(value < LEAST_OF_A_PAIR for value in members.values()):
         return None

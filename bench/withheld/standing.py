@@ -64,20 +64,20 @@ def strata(beams):
     return parts.values()
 
 
-def stands_out(by_beam):
-    """Whether any stratum does."""
+def stands_out(by_beam, least=OF_A_SHOT):
+    """Whether any stratum does; `least`: of one detection's spread."""
     if not by_beam:
         return False
     for part in strata(list(by_beam)):
         values = [by_beam[beam] for beam in part]
         mean = statistics.fmean(v for v, _, _ in values)
         error = math.sqrt(sum(variance for _, variance, _ in values)) / len(values)
-        if abs(mean) >= ERRORS * error and abs(mean) >= OF_A_SHOT * statistics.fmean(s for _, _, s in values):
+        if abs(mean) > ERRORS * error and abs(mean) >= least * statistics.fmean(s for _, _, s in values):
             return True
     return False
 
 
-def measurands(experiment, real, simulated):
+def measurands(experiment, real, simulated, least=OF_A_SHOT):
     """Names of those in which the gap between two lists of tables stands out, in any sample."""
     found = []
     for sample in experiment["samples"]:
@@ -86,5 +86,5 @@ def measurands(experiment, real, simulated):
         for m in experiment["measurands"]:
             if a.get(m["column"]) and b.get(m["column"]):
                 tables[m["name"]] = of_echoes(m["column"], m["resolution"], a, b)
-        found += [name for name, components in tables.items() if name not in found and any(map(stands_out, components.values()))]
+        found += [name for name, components in tables.items() if name not in found and any(stands_out(c, least) for c in components.values())]
     return found

@@ -101,7 +101,9 @@ class Standing(unittest.TestCase):
 
     def test_what_is_sure_but_smaller_than_a_tenth_of_the_noise_does_not(self):
         rng = random.Random(3)
-        self.assertEqual(self.found(measured(rng, 2000, 0.0015), measured(rng, 2000)), [])  # 11 standard errors in its layer
+        real, simulated = measured(rng, 2000, 0.0015), measured(rng, 2000)
+        self.assertEqual(self.found(real, simulated), [])  # 11 standard errors in its layer
+        self.assertEqual(standing.measurands(self.EXPERIMENT, {"s": real}, {"s": simulated}, least=0.0), ["range"])
 
     def test_a_few_beams_that_lose_every_second_echo_are_a_gap_of_existence_alone(self):
         rng = random.Random(3)
