@@ -29,7 +29,6 @@ constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames
 constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
-constexpr double kBelowCeiling = 0.1;  // of the gap: a cause that leaves so much that follows a law is not the cause
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
@@ -118,9 +117,6 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   decision.frames_move = true;
 }
 
-/// The least that a cause leaves of the gap by any measure: cell by cell, or of all data pooled.
-double leastLeftBy(const Candidate& cause) { return std::min(1.0 - cause.explained, cause.total_left); }
-
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
 /// anything could explain, unless next to nothing of the gap is left by another measure.
 void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
@@ -130,7 +126,7 @@ void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t see
   if (decision.winner) {
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
     diagnosis.rest = restOf(replay, judge.split, where, after);
-    if (!diagnosis.rest || std::min(diagnosis.rest->belowCeiling(), leastLeftBy(*decision.winner)) < kBelowCeiling) {
+    if (!diagnosis.rest || !staysBelowCeiling(*decision.winner, diagnosis.rest->belowCeiling())) {
       diagnosis.where = rowsOfCause(replay, where, after);
       return;
     }

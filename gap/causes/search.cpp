@@ -142,7 +142,7 @@ struct Search {
   double least_gain = 0.0;
 };
 
-std::vector<double> searchedBy(const Search& search, const Objective& objective, std::vector<double> start) {
+Point searchedBy(const Search& search, const Objective& objective, std::vector<double> start) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(search.algorithm, n), nlopt_destroy);
   OptimiserCall call{&objective, nullptr, optimiser.get()};
@@ -158,26 +158,23 @@ std::vector<double> searchedBy(const Search& search, const Objective& objective,
   double best = 0.0;
   nlopt_optimize(optimiser.get(), start.data(), &best);
   if (call.error) std::rethrow_exception(call.error);
-  return start;
+  return {std::move(start), best};
 }
 
 /// Subplex, which a rugged objective does not lead astray, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308),
 /// which follows the narrow valley that numbers of like effect make (how wet a surface is, and how flat the film),
 /// again and again while it leads on.
-std::vector<double> refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
+Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   constexpr int kWalks = 3;
   constexpr double kLeadsOn = 0.5, kLeastGain = 0.05, kLeastStep = 5e-5;  // nats, nats, of the unit cube
-  std::vector<double> refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
+  Point refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
   if (reach.trials_in_valley == 0 || !objective.smooth()) return refined;
-  double known = objective(refined), gained = kLeadsOn;
+  double gained = kLeadsOn;
   for (int walk = 0; walk < kWalks && gained >= kLeadsOn; ++walk) {
-    std::vector<double> further = searchedBy(
-        {NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain}, objective, refined);
-    const double left = objective(further);
-    gained = known - left;
-    if (gained <= 0.0) break;
-    known = left;
-    refined = std::move(further);
+    Point further = searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain},
+                               objective, refined.unit);
+    gained = refined.discrepancy - further.discrepancy;
+    if (gained > 0.0) refined = std::move(further);
   }
   return refined;
 }
@@ -241,9 +238,9 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
 
 std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
-  const std::vector<double> refined = refineSeveral(objective, start, reach);
+  const Point refined = refineSeveral(objective, start, reach);
   // A rugged objective may lead the refinement astray.
-  return objective.valuesAt(objective(refined) < objective(start) ? refined : start);
+  return objective.valuesAt(refined.discrepancy < objective(start) ? refined.unit : start);
 }
 
 }  // namespace gap

@@ -216,6 +216,9 @@ std::string findingSentence(const Diagnosis& diagnosis) {
     ties =
         fmt::format(" These data cannot tell {} from {}.", whatIsTied(verdict), listOf(verdict.indistinguishable_from));
   }
+  const bool wrong_numbers = verdict.kind == VerdictKind::kParameter || verdict.kind == VerdictKind::kReference;
+  if (wrong_numbers && verdict.names.size() > 1)
+    return fmt::format("Both {} are wrong; corrected, {} {}.{}", listOf(verdict.names), shrink, sure, ties);
   switch (verdict.kind) {
     case VerdictKind::kNone:
       return "Measurement and simulation do not differ by more than their uncertainty " + sure + ".";

@@ -261,6 +261,12 @@ bool holdsOnTotal(const Candidate& winner, double shrink) {
   return shrink > 0.0 || winner.explained >= kNearlyAllCells || winner.total_left < kMostBesideNoise;
 }
 
+bool staysBelowCeiling(const Candidate& winner, double left) {
+  constexpr double kLeftByALaw = 0.1;  // of the gap
+  if (winner.hypothesis.seen_in_values) return false;
+  return std::min({left, 1.0 - winner.explained, winner.total_left}) >= kLeftByALaw;
+}
+
 std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision) {
   std::vector<std::pair<std::string, Candidate>> tied;
   for (const Rival& rival : decision.rivals) {

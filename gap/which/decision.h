@@ -54,6 +54,10 @@ struct Decision {
 /// reported late, that leaves here as many echoes as it makes there); or unless what is left is its own noise (two sets
 /// of a few false alarms are as far from each other as one is from none).
 [[nodiscard]] bool holdsOnTotal(const Candidate& winner, double shrink);
+/// Whether a cause leaves so much of the gap that follows a law (`left`, Rest::belowCeiling) that it is not the cause;
+/// not so if next to nothing is left by another measure, of the discrepancy or of the total gap, or if the values show
+/// the cause by themselves.
+[[nodiscard]] bool staysBelowCeiling(const Candidate& winner, double left);
 
 /// The pairs in which another cause stands in a member's place, by its name (Decision::ties).
 [[nodiscard]] std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision);

@@ -1,6 +1,8 @@
 #include "gap/which/exchanges.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "core/parallel.h"
@@ -13,19 +15,23 @@ namespace {
 
 constexpr std::size_t kOfEachMember = 3;
 
-/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept; of each name one.
+/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
+/// nearest form, and the usual one: fitted alone, a form with more numbers may come nearer and have nothing to say
+/// here.
 std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
                                      const std::vector<Candidate>& singles, const core::Progress& progress) {
   std::vector<Candidate> nearest;
+  std::map<std::string, bool> has_usual;  // by name
   for (const Partner& partner : partnersOf(quick, kept, singles, progress)) {
     const Candidate& single = singles[partner.single];
-    const bool known = std::any_of(nearest.begin(), nearest.end(), [&](const Candidate& c) {
-      return c.hypothesis.members[1].name == single.hypothesis.name;
-    });
-    if (known || single.hypothesis.name == member.hypothesis.name) continue;
+    const std::string& name = single.hypothesis.name;
+    const bool usual = single.hypothesis.variant.empty();
+    const auto known = has_usual.find(name);
+    const bool wanted = known == has_usual.end() ? has_usual.size() < kOfEachMember : usual && !known->second;
+    if (!wanted || name == member.hypothesis.name) continue;
     nearest.push_back(
         {.hypothesis = together(kept.hypothesis, single.hypothesis), .values = joined(kept.values, single.values)});
-    if (nearest.size() == kOfEachMember) break;
+    has_usual[name] = usual;
   }
   return nearest;
 }

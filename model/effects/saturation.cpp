@@ -21,7 +21,12 @@ namespace {
 ///
 ///   P_out = P / (1 + (P/P_sat)^n)^(1/n),
 ///
-/// which is min(P, P_sat) for n → ∞.
+/// which is min(P, P_sat) for n → ∞. The comparator sees the bent waveform, which crosses the threshold P_th where the
+/// received one crosses
+///
+///   P_th' = P_th / (1 - (P_th/P_sat)^n)^(1/n),
+///
+/// the inverse of the above: echoes are as wide as under that threshold.
 /// Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform receivers); Rapp
 /// 1991, Proc. 2nd European Conf. on Satellite Communications, ESA SP-332, pp. 179-184 (the knee).
 class Saturation final : public Effect {
@@ -32,7 +37,12 @@ class Saturation final : public Effect {
         knee_sharpness_(parameters.number("knee_sharpness")) {}
 
   void prepare(ChainSettings& settings, const Environment&) override {
-    if (saturation_w_) settings.receiver.saturation_w = saturation_w_;
+    Receiver& receiver = settings.receiver;
+    if (saturation_w_) receiver.saturation_w = saturation_w_;
+    if (!knee_sharpness_ || !receiver.saturation_w) return;
+    constexpr double kMost = 0.999;  // of the power at which it clips: from there on hardly an echo is left
+    const double n = *knee_sharpness_, ratio = std::min(kMost, receiver.threshold_w / *receiver.saturation_w);
+    receiver.threshold_w /= std::pow(1.0 - std::pow(ratio, n), 1.0 / n);
   }
   [[nodiscard]] bool changesEchoes() const override { return true; }
   [[nodiscard]] double processesAbove_w(const Receiver& receiver) const override {

@@ -15,6 +15,19 @@ TEST(TotalGap, MayStayAsLargeWhereAllCellsAgreeOrTheCausesOwnNoiseIsLeft) {
   EXPECT_TRUE(holdsOnTotal(left(0.8, 0.4), -0.1)) << "rare false alarms";
 }
 
+TEST(Ceiling, IsNotHeldAgainstACauseThatLeavesNextToNothingByAnotherMeasure) {
+  const auto left = [](double explained, double total_left) {
+    return Candidate{.explained = explained, .total_left = total_left};
+  };
+  EXPECT_TRUE(staysBelowCeiling(left(0.7, 0.3), 0.2));
+  EXPECT_FALSE(staysBelowCeiling(left(0.7, 0.3), 0.05)) << "what is left follows nothing";
+  EXPECT_FALSE(staysBelowCeiling(left(0.7, 0.01), 0.2)) << "fog that takes the gap but for a hundredth";
+  EXPECT_FALSE(staysBelowCeiling(left(0.97, 0.3), 0.2)) << "a rare loss, which no single cell shows";
+  Candidate comb = left(0.5, 0.6);
+  comb.hypothesis.seen_in_values = true;
+  EXPECT_FALSE(staysBelowCeiling(comb, 0.5)) << "all ranges are multiples of one step";
+}
+
 TEST(Decision, NamesTheEffectOfAPairBeforeWhatIsBesideIt) {
   Hypothesis power, fog;
   power.kind = CauseKind::kParameter;

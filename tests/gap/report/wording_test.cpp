@@ -1,0 +1,27 @@
+#include "gap/report/wording.h"
+
+#include <gtest/gtest.h>
+
+namespace gap {
+namespace {
+
+std::string sentenceOf(VerdictKind kind, const std::vector<std::string>& names) {
+  Diagnosis diagnosis;
+  diagnosis.verdict.kind = kind;
+  diagnosis.verdict.names = names;
+  diagnosis.verdict.confidence = 0.8;
+  diagnosis.shrink.fraction = 0.6;
+  return verdictSentence(diagnosis);
+}
+
+TEST(VerdictSentence, SaysOneWrongNumberAndTwoOfThemInTheirOwnWords) {
+  EXPECT_EQ(sentenceOf(VerdictKind::kParameter, {"/sensor/receiver/noise_w"}),
+            "The parameter /sensor/receiver/noise_w has a wrong value; with the fitted one the gap on held-out samples "
+            "shrinks by 60 % (confidence 80 %).");
+  EXPECT_EQ(sentenceOf(VerdictKind::kParameter, {"/sensor/receiver/noise_w", "/scene/0/pose/position_m/0"}),
+            "Both /sensor/receiver/noise_w and /scene/0/pose/position_m/0 are wrong; corrected, the gap on held-out "
+            "samples shrinks by 60 % (confidence 80 %).");
+}
+
+}  // namespace
+}  // namespace gap
