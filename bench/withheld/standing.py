@@ -1,13 +1,13 @@
 """In which measurands a gap stands out, beam by beam: what the first row of *where* may name.
 
 A stratum is a sample, one of its layers, or an eighth of its view. It stands out if the mean over its beams differs by five standard
-errors and by a tenth of one detection's spread (existence: of a shot's). So one measurand among several that a cause moves is not
+errors and by a tenth of one detection's spread; echoes per shot by five standard errors. So one measurand among several that a cause moves is not
 wrong for being smaller than another in steps of its resolution.
 """
 
 import math
 import statistics
-from collections import defaultdict
+from collections import Counter, defaultdict
 
 import distance
 
@@ -38,18 +38,17 @@ def of_echoes(column, step, real, simulated):
 
 
 def of_counts(real, simulated, frames):
-    """The same of echoes per shot. Their variance is that of a coin thrown for the last of them once a shot, never quite certain."""
-    counts = [defaultdict(int), defaultdict(int)]
+    """The same of echoes per shot; their variance is that from frame to frame."""
+    counts = [defaultdict(Counter), defaultdict(Counter)]
     for table, count in zip((real, simulated), counts):
-        for beam in distance.beams_of(table):
-            count[beam] += 1
+        for beam, frame in zip(distance.beams_of(table), table["frame"]):
+            count[beam][frame] += 1
     found = {}
     for beam in counts[0].keys() | counts[1].keys():
-        rate = (counts[0][beam] + counts[1][beam]) / (2 * frames)
-        last = rate - math.floor(rate)
-        variance = max(last * (1 - last), 1 / (4 * frames))
-        found[beam] = (counts[0][beam] - counts[1][beam]) / frames, 2 * variance / frames, math.sqrt(variance)
-    return {"existence": found}
+        a, b = ([c[beam][frame] for frame in range(frames)] for c in counts)
+        va, vb = statistics.pvariance(a), statistics.pvariance(b)
+        found[beam] = statistics.fmean(a) - statistics.fmean(b), (va + vb) / frames, 0.0
+    return found
 
 
 def strata(beams):
@@ -64,27 +63,40 @@ def strata(beams):
     return parts.values()
 
 
-def stands_out(by_beam, least=OF_A_SHOT):
-    """Whether any stratum does; `least`: of one detection's spread."""
-    if not by_beam:
-        return False
-    for part in strata(list(by_beam)):
-        values = [by_beam[beam] for beam in part]
-        mean = statistics.fmean(v for v, _, _ in values)
-        error = math.sqrt(sum(variance for _, variance, _ in values)) / len(values)
-        if abs(mean) > ERRORS * error and abs(mean) >= least * statistics.fmean(s for _, _, s in values):
+def significant(values, least=0.0, one_more=0.0):
+    """Of the beams of a stratum. `least`: of one detection's spread; `one_more`: in one beam, what nobody would count as a difference."""
+    mean = statistics.fmean(v for v, _, _ in values)
+    error = max(math.sqrt(sum(variance for _, variance, _ in values)), one_more) / len(values)
+    return abs(mean) > ERRORS * error and abs(mean) >= least * statistics.fmean(s for _, _, s in values)
+
+
+def stands_out(by_beam, least=0.0, one_more=0.0):
+    """Whether any stratum does."""
+    return bool(by_beam) and any(significant([by_beam[b] for b in part], least, one_more) for part in strata(list(by_beam)))
+
+
+def existence_stands_out(experiment, real, simulated):
+    """In a stratum of a sample, or in all samples together: what is rare in each may be many in all. An echo has no spread that it
+    could be small beside."""
+    everything, most = [], 0.0
+    for sample in experiment["samples"]:
+        by_beam, one_more = of_counts(real[sample["id"]], simulated[sample["id"]], sample["frames"]), 1 / sample["frames"]
+        if stands_out(by_beam, one_more=one_more):
             return True
-    return False
+        everything += by_beam.values()
+        most = max(most, one_more)
+    return bool(everything) and significant(everything, one_more=most)
 
 
 def measurands(experiment, real, simulated, least=OF_A_SHOT):
     """Names of those in which the gap between two lists of tables stands out, in any sample."""
     found = []
-    for sample in experiment["samples"]:
-        a, b = real[sample["id"]], simulated[sample["id"]]
-        tables = {"existence": of_counts(a, b, sample["frames"])}
-        for m in experiment["measurands"]:
-            if a.get(m["column"]) and b.get(m["column"]):
-                tables[m["name"]] = of_echoes(m["column"], m["resolution"], a, b)
-        found += [name for name, components in tables.items() if name not in found and any(stands_out(c, least) for c in components.values())]
-    return found
+    for m in experiment["measurands"]:
+        for sample in experiment["samples"]:
+            a, b = real[sample["id"]], simulated[sample["id"]]
+            if not a.get(m["column"]) or not b.get(m["column"]):
+                continue
+            if any(stands_out(beams, least) for beams in of_echoes(m["column"], m["resolution"], a, b).values()):
+                found.append(m["name"])
+                break
+    return found + (["existence"] if existence_stands_out(experiment, real, simulated) else [])

@@ -79,10 +79,10 @@ class Distance(unittest.TestCase):
 
 def measured(rng, beams, shift=0.0, lost=()):
     """Two layers of `beams` beams, 20 frames of them: ranges of 10 m that scatter by 0.02 m; those of layer 1 are moved by `shift`."""
-    rows = [(layer, 0.01 * i, 10.0 + rng.gauss(0, 0.02) + (shift if layer else 0.0)) for layer in (0, 1) for i in range(beams)
+    rows = [(frame, layer, 0.01 * i, 10.0 + rng.gauss(0, 0.02) + (shift if layer else 0.0)) for layer in (0, 1) for i in range(beams)
             for frame in range(20) if i not in lost or frame % 2]
-    layers, azimuths, ranges = zip(*rows)
-    return {"layer": list(layers), "azimuth_rad": list(azimuths), "echo": [1] * len(rows), "range_m": list(ranges)}
+    frames, layers, azimuths, ranges = zip(*rows)
+    return {"frame": list(frames), "layer": list(layers), "azimuth_rad": list(azimuths), "echo": [1] * len(rows), "range_m": list(ranges)}
 
 
 class Standing(unittest.TestCase):
@@ -108,6 +108,15 @@ class Standing(unittest.TestCase):
     def test_a_few_beams_that_lose_every_second_echo_are_a_gap_of_existence_alone(self):
         rng = random.Random(3)
         self.assertEqual(self.found(measured(rng, 100, lost=range(10, 20)), measured(rng, 100)), ["existence"])
+
+
+    def test_one_echo_more_is_no_gap_but_many_in_all_samples_are(self):
+        rng = random.Random(3)
+        plain = measured(rng, 100)
+        more = {name: values + [values[0]] for name, values in plain.items()}
+        several = {"samples": [{"id": str(i), "frames": 20} for i in range(40)], "measurands": []}
+        self.assertEqual(self.found(more, plain), [])
+        self.assertEqual(standing.measurands(several, {str(i): more for i in range(40)}, {str(i): plain for i in range(40)}), ["existence"])
 
 
 class Recorded(unittest.TestCase):
