@@ -168,7 +168,7 @@ Point refineSeveral(const Objective& objective, const std::vector<double>& start
   constexpr int kWalks = 3;
   constexpr double kLeadsOn = 0.5, kLeastGain = 0.05, kLeastStep = 5e-5;  // nats, nats, of the unit cube
   Point refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
-  if (reach.trials_in_valley == 0 || !objective.smooth()) return refined;
+  if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
   double gained = kLeadsOn;
   for (int walk = 0; walk < kWalks && gained >= kLeadsOn; ++walk) {
     Point further = searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain},
@@ -205,6 +205,18 @@ std::vector<double> Objective::firstSteps(double step) const {
 bool Objective::smooth() const {
   return std::none_of(hypothesis_.parameters.begin(), hypothesis_.parameters.end(),
                       [](const FreeParameter& p) { return isAzimuth(p) || p.whole; });
+}
+
+bool Objective::tracesAnew(const std::vector<double>& unit) const {
+  constexpr double kElsewhere = 0.25;
+  std::vector<double> other = unit;
+  for (double& x : other) x += x < 0.5 ? kElsewhere : -kElsewhere;
+  if (evidence_.samples.empty()) return false;
+  const model::Sample& sample = *replay_.samples()[evidence_.samples.front()].sample;
+  const auto keyAt = [&](const std::vector<double>& place) {
+    return geometryKey(worldOf(replay_, hypothesis_, valuesAt(place)), sample);
+  };
+  return keyAt(unit) != keyAt(other);
 }
 
 std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned count) {

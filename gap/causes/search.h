@@ -22,6 +22,8 @@ class Objective {
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
   /// Whether small steps change little: the ends of sectors and counts jump.
   [[nodiscard]] bool smooth() const;
+  /// Whether other numbers send the rays other ways: then every look takes long.
+  [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const;
   [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
 
  private:
@@ -50,7 +52,8 @@ struct Reach {
   double line;               ///< to both sides, where there is one number
   double step;               ///< the first, where there are several,
   int trials;                ///< and how many,
-  int trials_in_valley = 0;  ///< and how many more along a valley, where the objective is smooth
+  int trials_in_valley = 0;  ///< and how many more along a valley, where the objective is smooth and a look takes no
+                             ///< tracing
 };
 
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.

@@ -28,7 +28,7 @@ struct WhereRow {
   [[nodiscard]] bool mayBeChance() const { return p_value > 1e-3; }
 };
 
-/// In scale units, by measurand and component.
+/// Of tables, by measurand and component: in scale units, or as far as a cause changes them.
 using SizeOfTables = std::map<std::pair<std::string, std::string>, double>;
 
 /// The best stratum of every covariate in every table: intervals of numeric covariates, sets of the others,

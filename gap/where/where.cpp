@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/distance/discrepancy.h"
 #include "gap/distance/settle.h"
 #include "gap/where/moved_echoes.h"
 
@@ -39,18 +40,14 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
   return shots > 0.0 ? std::max(0.0, more / shots) : 0.0;
 }
 
-/// Size of what is measured more or less, on the whole or beam by beam, whichever is larger. Of existence only the sign
+/// How far a cause changes a table, in nats: residuals in standard errors, summed as a discrepancy is. So a step or two
+/// in every beam is more than metres in a few, where two echoes are one or two by a hair. Of existence only the sign
 /// that the component has: what may be noise stands in both.
-double sizeOf(const ResidualTable& table) {
-  double sum = 0.0, weight = 0.0;
-  for (const ResidualTable::Row& row : table.rows) {
-    sum += row.weight * row.value;
-    weight += row.weight;
-  }
-  if (weight == 0.0) return 0.0;
-  const double sign = table.sign();
-  const double size = sign != 0.0 ? std::max(0.0, sign * sum) : std::max(std::abs(sum), table.sumBeyondErrors());
-  return size / weight / table.scale;
+double changeIn(const ResidualTable& table) {
+  double sum = 0.0;
+  for (const ResidualTable::Row& row : table.rows)
+    if (row.error > 0.0 && table.sign() * row.value >= 0.0) sum += robustLoss(row.value / row.error);
+  return sum;
 }
 
 }  // namespace
@@ -95,9 +92,9 @@ std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& witho
   SizeOfTables changes;
   double most = 0.0;
   for (const ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
-    const double size = sizeOf(table);
-    changes[{table.measurand, table.component}] = size;
-    most = std::max(most, size);
+    const double change = changeIn(table);
+    changes[{table.measurand, table.component}] = change;
+    most = std::max(most, change);
   }
   std::erase_if(changes, [&](const auto& change) { return change.second < kChanges * most || change.second == 0.0; });
   return whereRows(replay, without.by_beam, without.expected, changes);

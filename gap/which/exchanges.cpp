@@ -14,6 +14,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 3;
+constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
 /// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
 /// nearest form, and the usual one: fitted alone, a form with more numbers may come nearer and have nothing to say
@@ -36,6 +37,21 @@ std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, 
   return nearest;
 }
 
+/// Those that come nearest once they were fitted roughly: a fit to the end takes as long as that of the best pair.
+std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Candidate> others,
+                                      const core::Progress& progress) {
+  std::vector<std::pair<double, std::size_t>> order(others.size());
+  core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
+    Candidate& other = others[i];
+    other.values = roughFitFrom(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
+    order[i] = {quick.leftOfFitted(other.hypothesis, other.values), i};
+  });
+  std::sort(order.begin(), order.end());
+  std::vector<Candidate> nearest;
+  for (std::size_t i = 0; i < std::min(kFittedWell, order.size()); ++i) nearest.push_back(others[order[i].second]);
+  return nearest;
+}
+
 bool samePair(const Candidate& a, const Candidate& b) {
   const auto &x = a.hypothesis.members, &y = b.hypothesis.members;
   const auto same = [](const Hypothesis& p, const Hypothesis& q) { return formOf(p) == formOf(q); };
@@ -53,6 +69,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles, progress))
       others.push_back(std::move(other));
   }
+  others = nearestRoughly(quick, std::move(others), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i];
     other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);

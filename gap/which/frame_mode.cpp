@@ -61,7 +61,7 @@ Deviations deviationsOf(const ReplaySample& sample, const core::Detections& dete
   return frames;
 }
 
-/// All held-out samples in one channel.
+/// All samples in one channel: nothing is fitted to them here, so those that are held out tell no more than others.
 struct Seen {
   std::vector<Deviations> measured;  ///< by sample
   double z = 0.0;
@@ -77,13 +77,12 @@ double zOf(const std::vector<Deviations>& samples) {
   return expected > 0.0 ? excess / std::sqrt(2.0 * expected) : 0.0;  // of a chi-squared distribution
 }
 
-Seen seenIn(const Judge& judge, Channel channel) {
+Seen seenIn(const Replay& replay, Channel channel) {
   Seen seen;
-  for (const std::size_t s : judge.split.held_out.samples) {
-    const ReplaySample& sample = judge.replay.samples()[s];
+  for (const ReplaySample& sample : replay.samples()) {
     seen.measured.push_back(deviationsOf(sample, sample.measured, sample.beam_of, sample.measured.*kValues[channel],
-                                         judge.replay.resolution(channel)));
-    seen.stddev += seen.measured.back().variance / static_cast<double>(judge.split.held_out.samples.size());
+                                         replay.resolution(channel)));
+    seen.stddev += seen.measured.back().variance / static_cast<double>(replay.samples().size());
   }
   seen.stddev = std::sqrt(seen.stddev);
   seen.z = zOf(seen.measured);
@@ -91,10 +90,9 @@ Seen seenIn(const Judge& judge, Channel channel) {
 }
 
 /// Whether the frames of the baseline deviate, too.
-bool isOfTheBaseline(const Judge& judge, Channel channel) {
-  const Replay& replay = judge.replay;
+bool isOfTheBaseline(const Replay& replay, Channel channel) {
   std::vector<Deviations> simulated;
-  for (const std::size_t s : judge.split.held_out.samples) {
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     const core::Detections baseline = replay.detections(replay.baseline(), s, replay.seed());
     const auto beam_of = beamsOfDetections(baseline, sample.beams, {});
@@ -109,13 +107,13 @@ double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel)
   const Replay& replay = judge.replay;
   const Evidence& held_out = judge.split.held_out;
   std::vector<std::vector<CellStatistics>> corrected;
-  for (std::size_t i = 0; i < held_out.samples.size(); ++i) {
-    const ReplaySample& sample = replay.samples()[held_out.samples[i]];
+  for (const std::size_t s : held_out.samples) {
+    const ReplaySample& sample = replay.samples()[s];
     core::Detections measured = sample.measured;
     std::vector<double>& values = measured.*kValues[channel];
     for (std::size_t d = 0; d < values.size(); ++d) {
-      const auto deviation = seen.measured[i].deviation.find(measured.frame[d]);
-      if (deviation != seen.measured[i].deviation.end()) values[d] -= deviation->second;
+      const auto deviation = seen.measured[s].deviation.find(measured.frame[d]);
+      if (deviation != seen.measured[s].deviation.end()) values[d] -= deviation->second;
     }
     corrected.push_back(sample.layout->statisticsOf(measured, sample.beam_of));
   }
@@ -130,8 +128,8 @@ std::optional<FrameMode> frameModeOf(const Judge& judge) {
   FrameMode mode;
   Seen most;
   for (const Channel channel : replay.channels()) {
-    Seen seen = seenIn(judge, channel);
-    if (seen.z < kStandsOut || seen.z <= mode.z || isOfTheBaseline(judge, channel)) continue;
+    Seen seen = seenIn(replay, channel);
+    if (seen.z < kStandsOut || seen.z <= mode.z || isOfTheBaseline(replay, channel)) continue;
     mode.channel = channel;
     mode.z = seen.z;
     mode.stddev = seen.stddev;

@@ -17,7 +17,8 @@ struct FrameMode {
   double share_of_gap = 0.0;
 };
 
-/// On the held-out samples; nothing where it does not stand out beyond doubt, or does so in the baseline as well.
+/// On all samples, its share on those held out; nothing where it does not stand out beyond doubt, or does so in the
+/// baseline as well.
 [[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge);
 
 }  // namespace gap

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "gap/causes/search.h"
 #include "gap/causes/starts.h"
 #include "gap/which/partners.h"
 #include "gap/which/signature_fit.h"
@@ -174,15 +175,6 @@ std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::ve
   return guesses;
 }
 
-/// Whether other numbers of a cause send the rays other ways: then every look at it takes long.
-bool PairGuesses::tracesAnew(const Hypothesis& hypothesis, const std::vector<double>& values) const {
-  std::vector<double> others;
-  for (const FreeParameter& parameter : hypothesis.parameters) others.push_back(0.5 * (parameter.low + parameter.high));
-  const model::Sample& sample = *scout_.samples()[scouted_.samples.front()].sample;
-  return geometryKey(worldOf(scout_, hypothesis, values), sample) !=
-         geometryKey(worldOf(scout_, hypothesis, others), sample);
-}
-
 /// The guesses with the second cause's numbers where they serve the first one best: a cause of several numbers is
 /// seldom right at any place that was looked at.
 std::vector<Guess> PairGuesses::withFittedPartners(std::vector<Guess> guesses) const {
@@ -191,7 +183,8 @@ std::vector<Guess> PairGuesses::withFittedPartners(std::vector<Guess> guesses) c
     const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
     const std::vector<double> fixed(guess.values.begin(), middle), start(middle, guess.values.end());
     const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
-    if (tracesAnew(added, start)) return;
+    const Objective objective(scout_, added, scouted_, progress_);
+    if (objective.tracesAnew(objective.unitOf(start))) return;
     const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, start, progress_);
     const double distance = distanceOf(added, fitted);
     if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
@@ -271,7 +264,8 @@ std::vector<Guess> PairGuesses::improved(std::vector<Guess> guesses) const {
   core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
     Guess& guess = guesses[g];
     const Hypothesis both = hypothesisOf(guess);
-    if (tracesAnew(both, guess.values)) return;
+    const Objective objective(scout_, both, scouted_, progress_);
+    if (objective.tracesAnew(objective.unitOf(guess.values))) return;
     const std::vector<double> fitted = signatureFitFrom(scout_, space_, both, guess.values, progress_);
     const double distance = distanceOf(both, fitted);
     if (distance < guess.distance) guess = {guess.first, guess.second, fitted, distance};

@@ -60,7 +60,6 @@ class PairGuesses {
   [[nodiscard]] std::vector<Guess> partnersByAll(std::size_t first, const std::vector<double>& values) const;
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
                                                    const std::vector<Atom>& atoms) const;
-  [[nodiscard]] bool tracesAnew(const Hypothesis& hypothesis, const std::vector<double>& values) const;
   [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const;
   [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXf>> stepsOf(std::size_t parameter) const;

@@ -61,6 +61,7 @@ std::vector<const Candidate*> othersThan(const Candidate& best, const std::vecto
 /// How well the best one is told from some others, the likeliest first.
 std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Candidate& best,
                                std::vector<const Candidate*> others) {
+  if (best.hypothesis.seen_in_values) return {};  // nothing else makes a comb of the values
   if (others.size() > kRivals) others.resize(kRivals);
   std::vector<Rival> rivals;
   for (const Candidate* other : others) {

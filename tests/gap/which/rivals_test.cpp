@@ -85,4 +85,12 @@ TEST_F(Rivals, AreNotToldApartWhereHeldOutSamplesPreferTheOther) {
   }
 }
 
+// Scatter may come as near as a counter's steps do; only the steps make all values multiples of one.
+TEST_F(Rivals, WhatTheValuesShowHasNone) {
+  gap::Candidate shown = weaker_emitter_;
+  EXPECT_FALSE(gap::rivalsOf(judge_, judge_, {shown, haze_}).empty());
+  shown.hypothesis.seen_in_values = true;
+  EXPECT_TRUE(gap::rivalsOf(judge_, judge_, {shown, haze_}).empty());
+}
+
 }  // namespace
