@@ -5,10 +5,12 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
 #include "gap/which/pairs.h"
+#include "gap/which/partners.h"
 #include "gap/which/second_cause.h"
 #include "gap/which/significance.h"
 
@@ -91,19 +93,30 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
 }
 
 /// The steps of a counter that the values show are there beside whatever else is missing, and cell means hardly feel
-/// them: with the best cause they make a pair, unless cells agree less than with that cause alone.
-std::optional<Candidate> withWhatTheValuesShow(const Judge& judge, const HeldOutGaps& gaps, const WhereResult& where,
-                                               const std::vector<Candidate>& singles, const core::Progress& progress) {
+/// them: with the best cause they make a pair, unless cells agree less than with that cause alone. The best one first,
+/// then those with causes that may stand in that one's place; none if there are no such steps.
+std::vector<Candidate> withWhatTheValuesShow(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                             const WhereResult& where, const std::vector<Candidate>& singles,
+                                             const core::Progress& progress) {
+  constexpr std::size_t kBest = 3;
   const Candidate& best = singles.front();
   const auto seen = std::find_if(singles.begin(), singles.end(),
                                  [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
-  if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return std::nullopt;
-  std::vector<Candidate> pair{
-      {.hypothesis = together(best.hypothesis, seen->hypothesis), .values = joined(best.values, seen->values)}};
-  polish(judge, gaps, pair, where, progress);
-  const double alone = std::min(1.0, best.explained), both = std::min(1.0, pair.front().explained);
-  const bool harms = both < alone - kHarmedCells || pair.front().total_left > kMostRestOfPair;
-  return harms ? std::nullopt : std::optional(pair.front());
+  if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return {};
+  std::vector<Candidate> pairs;
+  for (const Candidate& single : singles) {
+    if (pairs.size() == kBest) break;
+    if (!pairs.empty() && !pairable(single.hypothesis, seen->hypothesis)) continue;
+    pairs.push_back(
+        {.hypothesis = together(single.hypothesis, seen->hypothesis), .values = joined(single.values, seen->values)});
+    exact.hear(pairs.back());
+  }
+  sortByMerit(pairs);
+  polish(exact, gaps, pairs, where, progress);
+  leadByEffects(quick, exact, pairs);
+  const double alone = std::min(1.0, best.explained), both = std::min(1.0, pairs.front().explained);
+  const bool harms = both < alone - kHarmedCells || pairs.front().total_left > kMostRestOfPair;
+  return harms ? std::vector<Candidate>{} : pairs;
 }
 
 bool provesItself(const Significance& significance, std::size_t causes) {
@@ -198,6 +211,16 @@ double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
 }
 
+/// Names the first of some pairs; others of them may stand in a member's place.
+void nameFirstOf(std::vector<Candidate> pairs, const Judge& quick, const Judge& exact, Decision& decision) {
+  decision.name(pairs.front());
+  pairs.front() = *decision.winner;  // its members in the same order
+  const double added = std::max(0.0, 1.0 - decision.singles.front().explained / pairs.front().explained);
+  decision.rivals = rivalsInPairs(quick, exact, pairs, added);
+  decision.pairs.insert(decision.pairs.begin(), std::make_move_iterator(pairs.begin()),
+                        std::make_move_iterator(pairs.end()));
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
@@ -214,9 +237,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
       !earnsItsSecond(quick, exact, best, pair))
     return false;
-  decision.name(pair);
-  pairs.front() = *decision.winner;  // its members in the same order
-  decision.rivals = rivalsInPairs(quick, exact, pairs, std::max(0.0, 1.0 - best.explained / pair.explained));
+  nameFirstOf(std::exchange(pairs, {}), quick, exact, decision);
   return true;
 }
 
@@ -230,8 +251,8 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   if (!explains) return;
-  if (const auto pair = withWhatTheValuesShow(exact, gaps, where, decision.singles, progress)) {
-    decision.name(*pair);
+  if (auto pairs = withWhatTheValuesShow(quick, exact, gaps, where, decision.singles, progress); !pairs.empty()) {
+    nameFirstOf(std::move(pairs), quick, exact, decision);
   } else {
     decision.name(best);
     decision.rivals = rivalsOf(quick, exact, decision.singles);
