@@ -54,7 +54,11 @@ def in_standing_measurand(truth, report):
     """Whether the first row is in a measurand in which the gap stands out beam by beam (standing.py); None where none does."""
     if not truth.get("stands_out"):
         return None
-    return bool(report.get("where")) and report["where"][0]["measurand"] in truth["stands_out"]
+    return bool(report.get("where")) and report["where"][0]["measurand"] in {*truth["stands_out"], *existence_of(truth)}
+
+
+def existence_of(truth):
+    return {"existence"} if OF_EXISTENCE & set(truth["names"]) else set()
 
 
 def judge_where(truth, report):
@@ -64,8 +68,7 @@ def judge_where(truth, report):
         return None, None
     if not rows:
         return False, (False if truth["where"] else None)
-    existence = {"existence"} if OF_EXISTENCE & set(truth["names"]) else set()
-    measurand = rows[0]["measurand"] in {*truth["measurands"], *existence}
+    measurand = rows[0]["measurand"] in {*truth["measurands"], *existence_of(truth)}
     if not truth["where"]:
         return measurand, None
     first = next((r for r in rows if r["covariate"] == truth["where"]["covariate"]), None)
