@@ -167,12 +167,15 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
 Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   constexpr int kWalks = 3;
   constexpr double kLeadsOn = 0.5, kLeastGain = 0.05, kLeastStep = 5e-5;  // nats, nats, of the unit cube
+  constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
   Point refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
   if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
-  double gained = kLeadsOn;
-  for (int walk = 0; walk < kWalks && gained >= kLeadsOn; ++walk) {
-    Point further = searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain},
-                               objective, refined.unit);
+  const double scale = std::max(1.0, kOfWhatIsLeft * refined.discrepancy / kLeadsOn);
+  double gained = scale * kLeadsOn;
+  for (int walk = 0; walk < kWalks && gained >= scale * kLeadsOn; ++walk) {
+    Point further =
+        searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, scale * kLeastGain}, objective,
+                   refined.unit);
     gained = refined.discrepancy - further.discrepancy;
     if (gained > 0.0) refined = std::move(further);
   }
