@@ -133,7 +133,10 @@ def scenes_of(options):
     """Packages in whose scenes cases are built; none: invented scenes."""
     if options.scenes is None:
         return []
-    given = recorded.read(options.scenes)
+    try:
+        given = recorded.read(options.scenes)
+    except (OSError, ValueError) as error:
+        raise UserError(f"a package in {options.scenes} cannot be read: {error}\n  Each needs an experiment.json and a model.json.") from error
     if not given:
         raise UserError(f"no package with one sensor in {options.scenes}\n  Name a folder with NAME/experiment.json and NAME/model.json in it.")
     return given

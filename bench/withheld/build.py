@@ -37,24 +37,26 @@ class Lab:
         self.draft, self.rng, self.bin, self.generator = draft, rng, bin_folder, generator
         self.held = packages.only(draft.experiment, {"prediction"})
 
-    def seed(self):
-        return self.rng.randrange(1, 10**9)
-
     def run(self, experiment, model, after=None, keep=None, generator=None, seed=None):
-        return worlds.simulate(experiment, model, seed or self.seed(), self.bin, generator or self.generator, after, keep)
+        seed = seed or self.rng.randrange(1, 10**9)
+        return worlds.simulate(experiment, model, seed, self.bin, generator or self.generator, after, keep)
+
+    def with_and_without(self, world, model, lacking, after=None, generator=None):
+        """Held-out samples in the true world, and as recorded by the model that lacks the cause, under the same noise: a cause that
+        changes nothing makes no difference."""
+        seed = self.rng.randrange(1, 10**9)
+        return (self.run(packages.only(world, {"prediction"}), model, after, generator=generator, seed=seed),
+                self.run(self.held, lacking, generator=generator, seed=seed))
 
     def severity_of(self, u, draws, lacking=None):
-        """`lacking`: cause that remains in the model (of a pair); None: the baseline. With and without the cause under the same noise:
-        a cause that changes nothing has no severity."""
+        """`lacking`: cause that remains in the model (of a pair); None: the baseline."""
         cause = self.draft.cause(u)
         world, model = cases.truth_world(self.draft, cause)
         world = packages.only(world, {"prediction"})
         real = [self.run(cases.scattered(self.rng, world, self.draft.scatter), model, cause.after) for _ in range(draws)]
-        partial, seed = copy.deepcopy(self.draft.baseline), self.seed()
+        partial = copy.deepcopy(self.draft.baseline)
         partial["effects"].update(lacking or {})
-        complete = self.run(world, model, cause.after, seed=seed)
-        without = self.run(self.held, partial, seed=seed)
-        return severity.measure(self.held, real, complete, without)
+        return severity.measure(self.held, real, *self.with_and_without(world, model, partial, cause.after))
 
     def search(self, target):
         """Strength of about the wanted severity; a few steps of bisection, for severity is noisy and bins are wide. By the
@@ -154,15 +156,15 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator, given):
         recalibrate(lab, cause)
     held_world = packages.only(world, {"prediction"})
     real = [lab.run(cases.scattered(rng, held_world, draft.scatter), model, cause.after) for _ in range(severity.REPLICATES)]
-    seed = lab.seed()
-    complete, lacking = lab.run(held_world, model, cause.after, seed=seed), lab.run(lab.held, draft.baseline, seed=seed)
+    complete, lacking = lab.with_and_without(world, model, draft.baseline, cause.after)
     if min(len(table["layer"]) for tables in (lacking, *real) for table in tables.values()) < LEAST_DETECTIONS:
         return None
     s = severity.measure(lab.held, real, complete, lacking)
     s["bin"] = severity.bin_of(s["value"])
     if visible and (s["bin"] is None or s["value"] > LARGEST and attempt < ATTEMPTS // 3):
         return None
-    if visible and not standing.measurands(lab.held, complete, lacking, least=0.0):
+    sizes = standing.sizes(lab.held, complete, lacking) if visible else {}
+    if visible and not sizes:
         return None  # a handful of echoes from afar moved the pooled gap
     members = {name: severity_beside(lab, u, cause, name) for name in draft.members}
     if any(value < LEAST_OF_A_PAIR for value in members.values()):
@@ -183,7 +185,7 @@ def try_build(seed, slot, attempt, number, home, bin_folder, generator, given):
         "severity": s | {"members": members}, "strength": u,
         "truth": {"kind": draft.kind, "names": draft.names, "parameters": cause.parameters, "where": cause.where, "sensors": draft.sensors,
                   "hidden_by": draft.hide_by, "measurands": [n for n, v in shifts.items() if visible and v > 0.3 * largest],
-                  "stands_out": standing.measurands(lab.held, complete, lacking) if visible else [],
+                  "stands_out": standing.measurands(sizes),
                   "shifts": shifts, "oracle": oracle(lab, tables, world, model, lacking)},
         "detections": sum(len(t["layer"]) for t in tables.values())})
     return f"{class_name} {'+'.join(draft.names) or name} in {draft.family}, severity {s['value']:.2g}"
@@ -206,9 +208,7 @@ def oracle(lab, tables, world, model, lacking):
     """Gap of the held-out measurement without and with the true cause, the latter by the built-in model where it knows it."""
     if lab.draft.kind == "none" or any(name.startswith("x-") for name in model["effects"]):
         return None
-    seed = lab.seed()
-    best = lab.run(packages.only(world, {"prediction"}), model, generator="own", seed=seed)
-    base = lab.run(lab.held, lab.draft.baseline, generator="own", seed=seed)
+    best, base = lab.with_and_without(world, model, lab.draft.baseline, generator="own")
     mean = lambda simulated: sum(severity.gaps(lab.held, tables, simulated)) / len(lab.held["samples"])
     before, after = mean(base), mean(best)
     return {"before": before, "after": after, "shrink": 1 - after / before if before > 0 else 0.0}

@@ -3,7 +3,6 @@ what stands there, what is varied and what it can show. Their measurements are n
 """
 
 import copy
-import math
 from dataclasses import dataclass
 
 import packages

@@ -63,40 +63,50 @@ def strata(beams):
     return parts.values()
 
 
-def significant(values, least=0.0, one_more=0.0):
-    """Of the beams of a stratum. `least`: of one detection's spread; `one_more`: in one beam, what nobody would count as a difference."""
+def size_of(values, one_more=0.0):
+    """Of the mean over the beams of a stratum, in detections' spreads; 0 where it is within ERRORS. What has no spread that it could
+    be small beside is infinite. `one_more`: in one beam, what nobody would count as a difference."""
     mean = statistics.fmean(v for v, _, _ in values)
     error = max(math.sqrt(sum(variance for _, variance, _ in values)), one_more) / len(values)
-    return abs(mean) > ERRORS * error and abs(mean) >= least * statistics.fmean(s for _, _, s in values)
+    if abs(mean) <= ERRORS * error:
+        return 0.0
+    spread = statistics.fmean(s for _, _, s in values)
+    return abs(mean) / spread if spread else math.inf
 
 
-def stands_out(by_beam, least=0.0, one_more=0.0):
-    """Whether any stratum does."""
-    return bool(by_beam) and any(significant([by_beam[b] for b in part], least, one_more) for part in strata(list(by_beam)))
+def largest(by_beam, one_more=0.0):
+    """Size in the stratum in which it is largest."""
+    return max((size_of([by_beam[b] for b in part], one_more) for part in strata(list(by_beam))), default=0.0) if by_beam else 0.0
 
 
-def existence_stands_out(experiment, real, simulated):
-    """In a stratum of a sample, or in all samples together: what is rare in each may be many in all. An echo has no spread that it
-    could be small beside."""
-    everything, most = [], 0.0
+def size_of_existence(experiment, real, simulated):
+    """In a stratum of a sample, or in all samples together: what is rare in each may be many in all."""
+    found, everything, most = 0.0, [], 0.0
     for sample in experiment["samples"]:
         by_beam, one_more = of_counts(real[sample["id"]], simulated[sample["id"]], sample["frames"]), 1 / sample["frames"]
-        if stands_out(by_beam, one_more=one_more):
-            return True
+        found = max(found, largest(by_beam, one_more))
         everything += by_beam.values()
         most = max(most, one_more)
-    return bool(everything) and significant(everything, one_more=most)
+    return max(found, size_of(everything, most)) if everything else found
 
 
-def measurands(experiment, real, simulated, least=OF_A_SHOT):
-    """Names of those in which the gap between two lists of tables stands out, in any sample."""
-    found = []
-    for m in experiment["measurands"]:
-        for sample in experiment["samples"]:
-            a, b = real[sample["id"]], simulated[sample["id"]]
-            if not a.get(m["column"]) or not b.get(m["column"]):
-                continue
-            if any(stands_out(beams, least) for beams in of_echoes(m["column"], m["resolution"], a, b).values()):
-                found.append(m["name"])
-                break
-    return found + (["existence"] if existence_stands_out(experiment, real, simulated) else [])
+def size_of_values(experiment, measurand, real, simulated):
+    """Of the means or the spreads, in any sample."""
+    found = 0.0
+    for sample in experiment["samples"]:
+        a, b = real[sample["id"]], simulated[sample["id"]]
+        if a.get(measurand["column"]) and b.get(measurand["column"]):
+            found = max(found, *map(largest, of_echoes(measurand["column"], measurand["resolution"], a, b).values()))
+    return found
+
+
+def sizes(experiment, real, simulated):
+    """{measurand: size} of the gaps between two lists of tables that are beyond ERRORS in any stratum, however small."""
+    found = {m["name"]: size_of_values(experiment, m, real, simulated) for m in experiment["measurands"]}
+    found["existence"] = size_of_existence(experiment, real, simulated)
+    return {name: size for name, size in found.items() if size > 0.0}
+
+
+def measurands(found):
+    """Those of `sizes` in which the gap stands out."""
+    return [name for name, size in found.items() if size >= OF_A_SHOT]

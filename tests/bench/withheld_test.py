@@ -89,7 +89,10 @@ class Standing(unittest.TestCase):
     EXPERIMENT = {"samples": [{"id": "s", "frames": 20}], "measurands": [{"name": "range", "column": "range_m", "resolution": 0.001}]}
 
     def found(self, real, simulated):
-        return standing.measurands(self.EXPERIMENT, {"s": real}, {"s": simulated})
+        return standing.measurands(self.sizes(real, simulated))
+
+    def sizes(self, real, simulated):
+        return standing.sizes(self.EXPERIMENT, {"s": real}, {"s": simulated})
 
     def test_noise_stands_out_nowhere(self):
         rng = random.Random(3)
@@ -103,7 +106,7 @@ class Standing(unittest.TestCase):
         rng = random.Random(3)
         real, simulated = measured(rng, 2000, 0.0015), measured(rng, 2000)
         self.assertEqual(self.found(real, simulated), [])  # 11 standard errors in its layer
-        self.assertEqual(standing.measurands(self.EXPERIMENT, {"s": real}, {"s": simulated}, least=0.0), ["range"])
+        self.assertEqual(list(self.sizes(real, simulated)), ["range"])
 
     def test_a_few_beams_that_lose_every_second_echo_are_a_gap_of_existence_alone(self):
         rng = random.Random(3)
@@ -116,7 +119,8 @@ class Standing(unittest.TestCase):
         more = {name: values + [values[0]] for name, values in plain.items()}
         several = {"samples": [{"id": str(i), "frames": 20} for i in range(40)], "measurands": []}
         self.assertEqual(self.found(more, plain), [])
-        self.assertEqual(standing.measurands(several, {str(i): more for i in range(40)}, {str(i): plain for i in range(40)}), ["existence"])
+        found = standing.sizes(several, {str(i): more for i in range(40)}, {str(i): plain for i in range(40)})
+        self.assertEqual(standing.measurands(found), ["existence"])
 
 
 class Recorded(unittest.TestCase):
@@ -367,6 +371,7 @@ class EndToEnd(unittest.TestCase):
             self.assertIsNotNone(number, text)
             home = Path(folder) / number
             case = packages.read(home / "case.json")
+            self.assertEqual((case["seed"], case["slot"]), (7, list(slot)))
             self.assertNotIn("range-offset", packages.read(home / "model.json")["effects"])
             self.assertNotIn("range-offset", (home / "experiment" / "experiment.json").read_text())
             result = run.diagnose(home, os.environ["FIDELIS_BIN"], "key", 300)
