@@ -166,16 +166,17 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
 /// again and again while it leads on.
 Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   constexpr int kWalks = 3;
-  constexpr double kLeadsOn = 0.5, kLeastGain = 0.05, kLeastStep = 5e-5;  // nats, nats, of the unit cube
+  constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
   constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
+  constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
   Point refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
   if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
-  const double scale = std::max(1.0, kOfWhatIsLeft * refined.discrepancy / kLeadsOn);
-  double gained = scale * kLeadsOn;
-  for (int walk = 0; walk < kWalks && gained >= scale * kLeadsOn; ++walk) {
+  const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * refined.discrepancy);
+  double gained = leads_on;
+  for (int walk = 0; walk < kWalks && gained >= leads_on; ++walk) {
     Point further =
-        searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, scale * kLeastGain}, objective,
-                   refined.unit);
+        searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain * leads_on},
+                   objective, refined.unit);
     gained = refined.discrepancy - further.discrepancy;
     if (gained > 0.0) refined = std::move(further);
   }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <utility>
 
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
@@ -107,8 +106,7 @@ std::vector<Candidate> withWhatTheValuesShow(const Judge& quick, const Judge& ex
   for (const Candidate& single : singles) {
     if (pairs.size() == kBest) break;
     if (!pairs.empty() && !pairable(single.hypothesis, seen->hypothesis)) continue;
-    pairs.push_back(
-        {.hypothesis = together(single.hypothesis, seen->hypothesis), .values = joined(single.values, seen->values)});
+    pairs.push_back(pairOf(single, *seen));
     exact.hear(pairs.back());
   }
   sortByMerit(pairs);
@@ -212,13 +210,11 @@ double enoughToName(const Yardstick& yardstick) {
 }
 
 /// Names the first of some pairs; others of them may stand in a member's place.
-void nameFirstOf(std::vector<Candidate> pairs, const Judge& quick, const Judge& exact, Decision& decision) {
+void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, Decision& decision) {
   decision.name(pairs.front());
   pairs.front() = *decision.winner;  // its members in the same order
   const double added = std::max(0.0, 1.0 - decision.singles.front().explained / pairs.front().explained);
   decision.rivals = rivalsInPairs(quick, exact, pairs, added);
-  decision.pairs.insert(decision.pairs.begin(), std::make_move_iterator(pairs.begin()),
-                        std::make_move_iterator(pairs.end()));
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -237,7 +233,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
       !earnsItsSecond(quick, exact, best, pair))
     return false;
-  nameFirstOf(std::exchange(pairs, {}), quick, exact, decision);
+  nameFirstOf(pairs, quick, exact, decision);
   return true;
 }
 
@@ -252,7 +248,8 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   if (!explains) return;
   if (auto pairs = withWhatTheValuesShow(quick, exact, gaps, where, decision.singles, progress); !pairs.empty()) {
-    nameFirstOf(std::move(pairs), quick, exact, decision);
+    nameFirstOf(pairs, quick, exact, decision);
+    decision.pairs.insert(decision.pairs.begin(), pairs.begin(), pairs.end());
   } else {
     decision.name(best);
     decision.rivals = rivalsOf(quick, exact, decision.singles);

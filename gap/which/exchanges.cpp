@@ -30,8 +30,7 @@ std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, 
     const auto known = has_usual.find(name);
     const bool wanted = known == has_usual.end() ? has_usual.size() < kOfEachMember : usual && !known->second;
     if (!wanted || name == member.hypothesis.name) continue;
-    nearest.push_back(
-        {.hypothesis = together(kept.hypothesis, single.hypothesis), .values = joined(kept.values, single.values)});
+    nearest.push_back(pairOf(kept, single));
     has_usual[name] = usual;
   }
   return nearest;

@@ -8,6 +8,10 @@ namespace gap {
 
 bool pairable(const Hypothesis& a, const Hypothesis& b) { return !a.per_setup && !b.per_setup && a.name != b.name; }
 
+Candidate pairOf(const Candidate& a, const Candidate& b) {
+  return {.hypothesis = together(a.hypothesis, b.hypothesis), .values = joined(a.values, b.values)};
+}
+
 std::vector<Partner> partnersOf(const Judge& judge, const Candidate& kept, const std::vector<Candidate>& singles,
                                 const core::Progress& progress) {
   std::vector<Partner> partners;
@@ -15,9 +19,8 @@ std::vector<Partner> partnersOf(const Judge& judge, const Candidate& kept, const
     if (pairable(kept.hypothesis, singles[i].hypothesis)) partners.push_back({.single = i});
   core::parallelFor(partners.size(), 1, [&](std::size_t p, std::size_t) {
     core::stopIfCancelled(progress);
-    const Candidate& single = singles[partners[p].single];
-    partners[p].left =
-        judge.leftOfFitted(together(kept.hypothesis, single.hypothesis), joined(kept.values, single.values));
+    const Candidate pair = pairOf(kept, singles[partners[p].single]);
+    partners[p].left = judge.leftOfFitted(pair.hypothesis, pair.values);
   });
   std::stable_sort(partners.begin(), partners.end(),
                    [](const Partner& a, const Partner& b) { return a.left < b.left; });

@@ -9,6 +9,9 @@ namespace gap {
 /// Whether two causes may be at work together as a pair: of different names, and neither an offset of single set-ups.
 [[nodiscard]] bool pairable(const Hypothesis& a, const Hypothesis& b);
 
+/// Both at once, with the values that each has; not judged yet.
+[[nodiscard]] Candidate pairOf(const Candidate& a, const Candidate& b);
+
 /// A cause beside another one, as it was fitted alone.
 struct Partner {
   std::size_t single = 0;  ///< index of the cause

@@ -110,16 +110,15 @@ TEST(Saturation, CapsTheIntensityAndLeavesTheCrossings) {
 // P (1 + (P/P_sat)^n)^(-1/n), below the saturation as well as above it. The Gaussian pulse is cut where it is bent to
 // the threshold: EPW = c · FWHM · √log2(P/P_th') (formats.md section 3) with the P_th' that the knee bends to P_th.
 TEST(Saturation, ASoftKneeBendsBeforeItClips) {
-  const lab::Case open = lab::boardWith(5);
-  const double threshold_w = open.sensor["receiver"]["threshold_w"], fwhm_ns = open.sensor["emitter"]["pulse_fwhm_ns"];
   const double power_w = lab::radarEquation(5);
-  for (const double most_w : {2.0 * power_w, power_w, 1.2 * threshold_w}) {
+  for (const double most_w : {2.0 * power_w, power_w, power_w / 20.0, 1.2 * lab::kThreshold_w}) {
     const auto bent = lab::fire(lab::boardWith(5, "saturation", {{"saturation_w", most_w}, {"knee_sharpness", 3.0}}));
     const auto bend = [&](double w) { return w / std::cbrt(1.0 + std::pow(w / most_w, 3.0)); };
     EXPECT_NEAR(1e-9 * bent.intensity.at(0), bend(power_w), 1e-6 * power_w);
-    double low_w = threshold_w, high_w = power_w;  // halved until the knee bends their middle to the threshold
-    for (int i = 0; i < 60; ++i) (bend(0.5 * (low_w + high_w)) < threshold_w ? low_w : high_w) = 0.5 * (low_w + high_w);
-    EXPECT_NEAR(bent.epw_m.at(0), 0.299792458 * fwhm_ns * std::sqrt(std::log2(power_w / low_w)), 1e-6) << most_w;
+    double low_w = lab::kThreshold_w, high_w = power_w;  // halved until the knee bends their middle to the threshold
+    for (int i = 0; i < 60; ++i)
+      (bend(0.5 * (low_w + high_w)) < lab::kThreshold_w ? low_w : high_w) = 0.5 * (low_w + high_w);
+    EXPECT_NEAR(bent.epw_m.at(0), lab::epwLaw(power_w, low_w), 1e-6) << most_w;
   }
 }
 
