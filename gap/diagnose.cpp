@@ -19,14 +19,13 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kSignificance = 1e-3;  // of the gap being present at all
-constexpr double kPairBelief = 0.85;    // of the belief in one cause: either of the two may be another one
+constexpr double kPairBelief = 0.8;     // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.5;     // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.4;    // belief that no cause of the library is at work
+constexpr double kMostUnknown = 0.55;   // belief that no cause of the library is at work
 constexpr double kFramesBelief = 0.7;   // that it is none, where whole frames deviate together
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
-constexpr double kNoneBelief = 0.5;    // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kNoneBelief = 0.7;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
@@ -306,7 +305,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     if (!decision.pair() && verdict.indistinguishable_from.size() == 1)
       verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
   } else if (verdict.kind == VerdictKind::kNone) {
-    verdict.confidence = diagnosis.p_value >= kSignificance ? kNoneBelief : 0.7;
+    verdict.confidence = kNoneBelief;
   } else {
     const double named = decision.singles.empty() ? 0.0 : beliefIn(judge, decision.singles.front());
     verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);

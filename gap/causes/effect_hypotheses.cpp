@@ -120,8 +120,18 @@ void addParts(const std::vector<std::string>& sensors, std::vector<Hypothesis>& 
   }
 }
 
+/// Whether a form of range walk differs from a constant offset: where every sensor reports the leading edge already, only
+/// the linear front does.
+bool walks(const Replay& replay, const std::vector<std::string>& fitted) {
+  if (std::find(fitted.begin(), fitted.end(), "coefficient_m") != fitted.end()) return true;
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return replay.baseline().model.sensor(sample.sample->sensor).detection.range_mode != model::RangeMode::kLeadingEdge;
+  });
+}
+
 /// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
 bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std::vector<std::string>& fitted) {
+  if (entry.info.name == "range-walk") return walks(replay, fitted);
   const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
   const bool of_ways = entry.info.name == "transmission" || entry.info.name == "multipath";
   if (!of_motion && !of_ways) return true;

@@ -118,7 +118,7 @@ std::string agreementText(const Diagnosis& diagnosis) {
   for (const MeasurandGap& m : diagnosis.before.measurands) {
     parts.push_back(fmt::format("{} {} {}", measurandTitle(m.name), core::significant(std::abs(m.d_bias), 2), m.unit));
   }
-  const bool chance = diagnosis.p_value >= 1e-3;
+  const bool chance = diagnosis.p_value >= kSignificance;
   return fmt::format("Means differ by: {}. {}", core::join(parts, "; "),
                      chance ? "Noise alone makes differences as large as these."
                             : "The data are so many that even this is more than noise, but it is too small against the "

@@ -221,7 +221,11 @@ std::string findingSentence(const Diagnosis& diagnosis) {
     return fmt::format("Both {} are wrong; corrected, {} {}.{}", listOf(verdict.names), shrink, sure, ties);
   switch (verdict.kind) {
     case VerdictKind::kNone:
-      return "Measurement and simulation do not differ by more than their uncertainty " + sure + ".";
+      return (diagnosis.p_value >= kSignificance
+                  ? "Measurement and simulation do not differ by more than their uncertainty "
+                  : "Measurement and simulation differ by more than noise, but by too little to matter against the "
+                    "sensor's resolution ") +
+             sure + ".";
     case VerdictKind::kEffect:
       return fmt::format(
           "The model lacks {}; with {}{} {} {}.{}", namesOf(diagnosis), verdict.names.size() == 1 ? "it" : "them",
@@ -267,7 +271,10 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
   const bool several = diagnosis.verdict.names.size() > 1;
   switch (diagnosis.verdict.kind) {
     case VerdictKind::kNone:
-      return "Measurement and simulation agree as far as these data can tell: there is no gap to explain.";
+      return diagnosis.p_value >= kSignificance
+                 ? "Measurement and simulation agree as far as these data can tell: there is no gap to explain."
+                 : "Measurement and simulation agree to within what matters at the sensor's resolution: there is no gap "
+                   "to explain.";
     case VerdictKind::kEffect:
       return fmt::format("The measurement shows {} that the simulation lacks: {}.", several ? "effects" : "an effect",
                          causes);

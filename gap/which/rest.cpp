@@ -96,12 +96,9 @@ Column fitted(const Eigen::MatrixXd& features, const Residuals& residuals) {
   return coefficients;
 }
 
-/// Set-ups differ between the two sides of the split, and a value predicts its own residual: neither explains.
-bool mayExplain(const Covariate& covariate, const std::string& measurand) {
-  return covariate.name != "setup" && covariate.name != measurand &&
-         !(covariate.name == "epw_m" && measurand.starts_with("epw")) &&
-         !(covariate.name == "intensity" && measurand.starts_with("intensity"));
-}
+/// Set-ups differ between the two sides of the split. What a measurand is expected to be may well explain its residual:
+/// both are simulated under different noise (covariatesOf).
+bool mayExplain(const Covariate& covariate) { return covariate.name != "setup"; }
 
 std::vector<double> knotsOf(const Covariate& covariate, const std::vector<Row>& rows) {
   std::vector<double> values;
@@ -289,7 +286,8 @@ struct Sums {
 
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                            const WhereResult& after) {
-  const std::vector<Covariate> all = covariatesOf(replay, after.expected);
+  std::vector<Covariate> covariates = covariatesOf(replay, after.expected);
+  std::erase_if(covariates, [](const Covariate& covariate) { return !mayExplain(covariate); });
   Rest rest;
   Sums sums;
   for (const ResidualTable& table : after.tables) {
@@ -302,9 +300,6 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
     Residuals fit = residualsOf(replay, table, split.fitted), judge = residualsOf(replay, table, split.held_out);
     was.floor = fit.floor = judge.floor = floor;
     if (fit.rows.size() < kFewestRows || judge.rows.size() < kFewestRows) continue;
-    std::vector<Covariate> covariates;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(covariates),
-                 [&](const Covariate& covariate) { return mayExplain(covariate, table.measurand); });
     const double left = judge.squares();
     sums.before += was.squares();
     sums.left += left;

@@ -9,11 +9,11 @@
 #include "gap/causes/fit.h"
 #include "tests/gap/small_world.h"
 
-// A number of the model file is searched in the unit that the ending of its name says.
 namespace {
 
 using test_support::SmallWorld;
 
+// A number of the model file is searched in the unit that the ending of its name says.
 TEST(Hypotheses, AWrongNumberOfTheModelHasTheUnitOfItsKey) {
   const SmallWorld world;
   const auto model = SmallWorld::modelWith({{"mounting-error", {{"yaw_deg", 0.3}}},
@@ -72,7 +72,24 @@ TEST(Hypotheses, APulseMayJitterInItsPowerAloneOrInItsDurationAlone) {
                       {"duration_stddev_ns", "power_stddev"}, {"duration_stddev_ns"}, {"power_stddev"}}));
 }
 
-// What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
+// A sensor that reports the leading edge already walks as it is; its calibration is a constant offset, which has a name.
+TEST(Hypotheses, OfASensorThatReportsTheLeadingEdgeOnlyALinearFrontIsARangeWalk) {
+  const SmallWorld world;
+  const auto formsOf = [&](const char* range_mode) {
+    auto json = SmallWorld::modelWith({}).json;
+    json["sensor"]["detection"]["range_mode"] = range_mode;
+    const auto model = model::parseModel(json, "model.json");
+    const auto measured = world.measuredBy(model, 0.4);
+    const gap::Replay replay(measured, model);
+    std::set<std::string> variants;
+    for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {"range-walk"}))
+      if (hypothesis.name == "range-walk") variants.insert(hypothesis.variant);
+    return variants;
+  };
+  EXPECT_EQ(formsOf("peak"), (std::set<std::string>{"", "bare crossing", "linear front"}));
+  EXPECT_EQ(formsOf("leading-edge"), (std::set<std::string>{"linear front"}));
+}
+
 TEST(Hypotheses, EndsOfASectorThatASearchCrossedStandInOrder) {
   const std::vector<gap::FreeParameter> cover{
       {.name = "attenuation"}, {.name = "azimuth_from_deg"}, {.name = "azimuth_to_deg"}};
@@ -81,6 +98,7 @@ TEST(Hypotheses, EndsOfASectorThatASearchCrossedStandInOrder) {
   EXPECT_EQ(gap::inOrder({{.name = "factor"}, {.name = "window"}}, {9.0, 5.0}), (std::vector<double>{9.0, 5.0}));
 }
 
+// What stands within its recorded uncertainty is where it may be: no error of the reference, however well it fits.
 TEST(Hypotheses, AReferenceIsWrongOnlyBeyondWhatIsRecordedOfIt) {
   SmallWorld world;
   const auto model = SmallWorld::modelWith({});

@@ -23,5 +23,23 @@ TEST(VerdictSentence, SaysOneWrongNumberAndTwoOfThemInTheirOwnWords) {
             "samples shrinks by 60 % (confidence 80 %).");
 }
 
+TEST(VerdictSentence, DoesNotCallADifferenceThatIsCertainButTooSmallToMatterNoise) {
+  Diagnosis diagnosis;
+  diagnosis.verdict.kind = VerdictKind::kNone;
+  diagnosis.verdict.confidence = 0.5;
+  diagnosis.p_value = 0.2;
+  EXPECT_EQ(verdictSentence(diagnosis),
+            "Measurement and simulation do not differ by more than their uncertainty (confidence 50 %).");
+  EXPECT_EQ(answerSentence(diagnosis),
+            "Measurement and simulation agree as far as these data can tell: there is no gap to explain.");
+  diagnosis.p_value = 1e-9;
+  EXPECT_EQ(verdictSentence(diagnosis),
+            "Measurement and simulation differ by more than noise, but by too little to matter against the sensor's "
+            "resolution (confidence 50 %).");
+  EXPECT_EQ(answerSentence(diagnosis),
+            "Measurement and simulation agree to within what matters at the sensor's resolution: there is no gap to "
+            "explain.");
+}
+
 }  // namespace
 }  // namespace gap

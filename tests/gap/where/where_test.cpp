@@ -64,6 +64,31 @@ TEST(Where, ShowsFirstWhatTheNamedCauseChanges) {
   EXPECT_NEAR(rows.front().value, 0.05, 0.005);
 }
 
+// Where a pane and a board behind it are one echo or two by a hair, ranges of one beam may scatter without bounds (by a
+// kilometre here); the same cause makes every intensity a step larger. It is the intensity that it acts on.
+TEST(Where, AStepInEveryBeamComesBeforeMetresInOne) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto truth = test_support::SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.05}}}});
+  const auto measured = world.measuredBy(truth, 0.6);
+  const gap::Replay replay(measured, model);
+  const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
+  gap::WhereResult with = without;
+  for (auto& cells : with.expected) {
+    for (gap::CellStatistics& cell : cells) {
+      const double more = replay.resolution(gap::kIntensity), before = cell.sum[gap::kIntensity];
+      cell.sum[gap::kIntensity] += cell.count * more;
+      cell.sum_of_squares[gap::kIntensity] += 2.0 * more * before + cell.count * more * more;
+    }
+  }
+  gap::CellStatistics& merging = with.expected.front().front();
+  ASSERT_GE(merging.count, 5.0);
+  merging.sum_of_squares[gap::kRange] += merging.count * 1e6;
+  const std::vector<gap::WhereRow> rows = gap::rowsOfCause(replay, without, with);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows.front().measurand, "intensity");
+}
+
 // One false echo in five hundred shots: no cell has more than noise may give it, all of them together have.
 TEST(Where, EchoesTooRareForAnyCellAreShownOnceTheirCauseIsNamed) {
   const auto rows = rowsOnceNamed({{"false-alarm", {{"rate_per_beam", 0.002}}}}, 0.4).after;

@@ -56,6 +56,24 @@ TEST_F(MadeUpResiduals, ALawOfTheDistanceIsFoundWithItsNumbersAndAFormula) {
   EXPECT_GT(law.explained, 0.95);
 }
 
+// A counter that compresses wide pulses is a law of the echo pulse width itself.
+TEST_F(MadeUpResiduals, ALawOfTheValueThatIsExpectedIsFound) {
+  auto where = residuals([](const gap::Cell&) { return 0.0; });
+  auto& rows = where.tables.front().rows;
+  const auto width_m = [&](const auto& row) { return where.expected[row.sample][row.cell].mean(gap::kEpw); };
+  double usual_m = 0.0;
+  for (const auto& row : rows) usual_m += width_m(row) / static_cast<double>(rows.size());
+  for (auto& row : rows) row.value -= 0.2 * (width_m(row) - usual_m);
+  const gap::Rest rest = this->rest(where, where);
+  EXPECT_GT(rest.systematic, 0.95);
+  ASSERT_EQ(rest.laws.size(), 1U);
+  const gap::Law& law = rest.laws.front();
+  ASSERT_EQ(law.terms.size(), 1U);
+  EXPECT_EQ(law.terms.front().covariate, "epw_m");
+  EXPECT_EQ(law.terms.front().function, "x");
+  EXPECT_NEAR(law.terms.front().coefficient, -0.2, 0.02);
+}
+
 TEST_F(MadeUpResiduals, WhatIsRandomFromCellToCellHasNoLaw) {
   const auto where = residuals([](const gap::Cell& cell) {
     core::Random random({.beam = cell.beam, .purpose = static_cast<std::uint32_t>(cell.anchor_m)});
