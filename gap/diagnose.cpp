@@ -19,11 +19,11 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kPairBelief = 0.8;     // of the belief in one cause: either of the two may be another one
-constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.5;     // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.55;   // belief that no cause of the library is at work
-constexpr double kFramesBelief = 0.7;   // that it is none, where whole frames deviate together
+constexpr double kPairBelief = 0.8;    // of the belief in one cause: either of the two may be another one
+constexpr double kWeakBelief = 0.75;   // of the belief, if no whole sample could be held out
+constexpr double kLeastNamed = 0.5;    // of a cause that is named because nothing else is left: it explains little
+constexpr double kMostUnknown = 0.55;  // belief that no cause of the library is at work
+constexpr double kFramesBelief = 0.7;  // that it is none, where whole frames deviate together
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.7;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them

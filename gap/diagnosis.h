@@ -87,8 +87,8 @@ struct Background {
   std::vector<std::string> effects;  ///< that the model already has
 };
 
-/// A p-value below which a gap is no chance (docs/diagnosis.md). Where one is so sure and none is named all the same, it is
-/// too small against the sensor's resolution to matter.
+/// A p-value below which a gap is no chance (docs/diagnosis.md). Where one is so sure and none is named all the same,
+/// it is too small against the sensor's resolution to matter.
 inline constexpr double kSignificance = 1e-3;
 
 /// The answer to: where does the simulation differ, which cause explains it, how far does the gap shrink?

@@ -120,8 +120,8 @@ void addParts(const std::vector<std::string>& sensors, std::vector<Hypothesis>& 
   }
 }
 
-/// Whether a form of range walk differs from a constant offset: where every sensor reports the leading edge already, only
-/// the linear front does.
+/// Whether a form of range walk differs from a constant offset: where every sensor reports the leading edge already,
+/// only the linear front does.
 bool walks(const Replay& replay, const std::vector<std::string>& fitted) {
   if (std::find(fitted.begin(), fitted.end(), "coefficient_m") != fitted.end()) return true;
   return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "gap/which/counter.h"
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
 #include "gap/which/pairs.h"
@@ -17,15 +18,13 @@ namespace gap {
 
 namespace {
 
-constexpr double kAccountsFor = 0.7;     // of the gap: what accounts for less is as likely wrong as right
-constexpr double kWeakGap = 0.40;        // the least share, where the gap is hardly larger than the noise
-constexpr double kHarmedCells = 0.08;    // of the discrepancy: a counter that costs more is not there
-constexpr double kMostRestOfPair = 0.5;  // of the total gap: two causes that leave more are not the causes
-constexpr double kByChance = 0.01;       // that any of the causes tried gains so much where nothing is missing
-constexpr double kNotOneSample = 3.0;    // standard deviations of the gain of a small cause without its best sample
-constexpr double kLeastShrink = 0.05;    // of the total gap: of causes that move rays: less may be how edges cut beams
-constexpr std::size_t kLookedAt = 8;     // of best merit, and as many that gain most: they may prove themselves
-constexpr double kWorthALook = 1.0;  // standard deviations of the gain with few beams: with all it takes four of them
+constexpr double kAccountsFor = 0.7;   // of the gap: what accounts for less is as likely wrong as right
+constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
+constexpr double kByChance = 0.01;     // that any of the causes tried gains so much where nothing is missing
+constexpr double kNotOneSample = 3.0;  // standard deviations of the gain of a small cause without its best sample
+constexpr double kLeastShrink = 0.05;  // of the total gap: of causes that move rays: less may be how edges cut beams
+constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
+constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
 
 VerdictKind kindOf(CauseKind kind) {
@@ -89,32 +88,6 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
   };
   if (std::erase_if(singles, no_error) > 0) polish(exact, gaps, singles, where, progress);
   return singles;
-}
-
-/// The steps of a counter that the values show are there beside whatever else is missing, and cell means hardly feel
-/// them: with the best cause they make a pair, unless cells agree less than with that cause alone. The best one first,
-/// then those with causes that may stand in that one's place; none if there are no such steps.
-std::vector<Candidate> withWhatTheValuesShow(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-                                             const WhereResult& where, const std::vector<Candidate>& singles,
-                                             const core::Progress& progress) {
-  constexpr std::size_t kBest = 3;
-  const Candidate& best = singles.front();
-  const auto seen = std::find_if(singles.begin(), singles.end(),
-                                 [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
-  if (seen == singles.end() || seen->hypothesis.name == best.hypothesis.name) return {};
-  std::vector<Candidate> pairs;
-  for (const Candidate& single : singles) {
-    if (pairs.size() == kBest) break;
-    if (!pairs.empty() && !pairable(single.hypothesis, seen->hypothesis)) continue;
-    pairs.push_back(pairOf(single, *seen));
-    exact.hear(pairs.back());
-  }
-  sortByMerit(pairs);
-  polish(exact, gaps, pairs, where, progress);
-  leadByEffects(quick, exact, pairs);
-  const double alone = std::min(1.0, best.explained), both = std::min(1.0, pairs.front().explained);
-  const bool harms = both < alone - kHarmedCells || pairs.front().total_left > kMostRestOfPair;
-  return harms ? std::vector<Candidate>{} : pairs;
 }
 
 bool provesItself(const Significance& significance, std::size_t causes) {
@@ -237,23 +210,29 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   return true;
 }
 
-/// Names the best single cause if the values show it, if it accounts for enough, or if nothing else is left.
+/// Names the best single cause if it accounts for enough, or if nothing else is left; a counter that the values show in
+/// any case, and what earns its place beside it.
 void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                  Decision& decision, const core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
   const Candidate& best = decision.singles.front();
-  const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
+  const bool explains = best.explained >= kNearlyAllCells ||
                         exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
-  if (!explains) return;
-  if (auto pairs = withWhatTheValuesShow(quick, exact, gaps, where, decision.singles, progress); !pairs.empty()) {
-    nameFirstOf(pairs, quick, exact, decision);
-    decision.pairs.insert(decision.pairs.begin(), pairs.begin(), pairs.end());
-  } else {
-    decision.name(best);
-    decision.rivals = rivalsOf(quick, exact, decision.singles);
+  const bool counted = showACounter(decision.singles);
+  if (!explains && !counted) return;
+  if (counted) {
+    auto pairs = besideTheCounter(quick, exact, gaps, where, decision.singles, progress);
+    if (!pairs.empty() && earnsBesideTheCounter(exact, pairs.front())) {
+      nameFirstOf(pairs, quick, exact, decision);
+      decision.pairs.insert(decision.pairs.begin(), pairs.begin(), pairs.end());
+      return;
+    }
+    if (!pairs.empty() || !explains) leadByTheCounter(decision.singles);
   }
+  decision.name(decision.singles.front());
+  decision.rivals = rivalsOf(quick, exact, decision.singles);
 }
 
 }  // namespace

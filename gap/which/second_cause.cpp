@@ -14,6 +14,7 @@ constexpr double kMaterialCells = 0.08;  // or of the discrepancy
 constexpr double kPooledRest = 0.2;      // of the total gap: the cells may not show it, as they do not show rare echoes
 constexpr double kPairGain = 0.5;        // a pair must halve what its best member leaves
 constexpr double kLeastGain = 0.05;      // in that,
+constexpr double kNearlyAll = 0.8;       // or take so much of what it leaves,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
 
@@ -51,6 +52,15 @@ bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate&
   return halves || beyond_doubt;
 }
 
+/// Of a gap a thousand times its noise, a fiftieth is more than many a gap: a second cause that takes nearly all of
+/// what the better member leaves of the cells, and half of what it leaves of the total gap, needs no least gain, if
+/// that would itself be a gap beyond doubt.
+bool takesNearlyAll(const Judge& judge, const Candidate& single, const Candidate& pair) {
+  const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
+  return of_pair.discrepancy < (1.0 - kNearlyAll) * of_single.discrepancy &&
+         of_pair.total < kPairGain * of_single.total && restOf(judge, single) > Yardstick::kClear_z;
+}
+
 /// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
 /// on as much as a small effect does, so nothing may be left with both. Otherwise the reference is to be corrected
 /// first.
@@ -83,7 +93,7 @@ bool roomForASecond(const Judge& judge, const Candidate& best) {
 
 bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
   return isNearer(quick, exact, pair, best) && !explainsWhatAReferenceLeaves(exact, best, pair) &&
-         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, pair));
+         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, pair) || takesNearlyAll(exact, best, pair));
 }
 
 }  // namespace gap

@@ -7,6 +7,9 @@ namespace gap {
 /// Standard deviations: no more is left than a cause leaves under its own noise.
 inline constexpr double kNoRest = 3.0;
 
+/// Of the total gap: two causes that leave more are not the causes.
+inline constexpr double kMostRestOfPair = 0.5;
+
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
 /// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
 /// all data are pooled.

@@ -45,11 +45,11 @@ void addSoftTarget(const BeamView& view, SoftTarget target, std::vector<Pulse>& 
   const double step_m = length_m / cells;
   const double constant_w_m = view.power_constant_w_m2 * target.backscatter_1_m_sr;
   const double least_w_1_m = kNegligible * settings.receiver.threshold_w / (kAreaOfGaussian * width_m);
-  for (double k = 0.0; k < cells; k += 1.0) {
+  const double first_m = target.from_m + step_m / 2.0, of_step = std::exp(-2.0 * target.extinction_1_m * step_m);
+  double passed = std::exp(-2.0 * target.extinction_1_m * (first_m - target.extinction_from_m));  // there and back
+  for (double k = 0.0; k < cells; k += 1.0, passed *= of_step) {
     const double begin_m = target.from_m + k * step_m, range_m = begin_m + step_m / 2.0;
-    const double in_the_open_w_1_m = constant_w_m *
-                                     std::exp(-2.0 * target.extinction_1_m * (range_m - target.extinction_from_m)) /
-                                     (range_m * range_m);
+    const double in_the_open_w_1_m = constant_w_m * passed / (range_m * range_m);
     const double open = meanOpenShare(view, begin_m, begin_m + step_m);
     if (in_the_open_w_1_m < least_w_1_m || open <= 1e-9) break;
     const double seen = overlap(settings.emitter, settings.receiver, range_m);

@@ -26,8 +26,19 @@ double reachOf(double power_w, double level_w, const PulseForm& form) {
   return crossings ? form.fwhm_m * std::max(-crossings->rise, crossings->fall) : 0.0;
 }
 
+/// Pulses mostly come as two runs that are in order: those of surfaces, and behind them those of a fog or a cloud.
+void sortByRange(std::vector<Pulse>& pulses) {
+  const auto nearer = [](const Pulse& a, const Pulse& b) { return a.range_m < b.range_m; };
+  const auto second = std::is_sorted_until(pulses.begin(), pulses.end(), nearer);
+  if (std::is_sorted(second, pulses.end(), nearer)) {
+    std::inplace_merge(pulses.begin(), second, pulses.end(), nearer);
+  } else {
+    std::stable_sort(pulses.begin(), pulses.end(), nearer);
+  }
+}
+
 void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
-  std::sort(pulses.begin(), pulses.end(), [](const Pulse& a, const Pulse& b) { return a.range_m < b.range_m; });
+  sortByRange(pulses);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pulses.size();) {
     const double first_m = pulses[i].range_m;
@@ -93,9 +104,18 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, const PulseForm& form,
   } else {
     addMeasured(pulses);
   }
+  findAudible();
   // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
   const std::size_t top = highestSample();
   highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
+}
+
+void WaveformPart::findAudible() {
+  for (std::size_t i = 0; i < signal_.size(); ++i) {
+    if (signal_[i] <= lowest_level_w_) continue;
+    if (audible_.empty() || audible_.back().second < i) audible_.emplace_back(i, i);
+    audible_.back().second = i + 1;
+  }
 }
 
 std::size_t WaveformPart::highestSample() const {
@@ -113,6 +133,8 @@ void WaveformPart::addGaussians(std::span<const Pulse> pulses, double cut_m) {
   const double a = kFourLn2 / (form_.fwhm_m * form_.fwhm_m);
   const double second = std::exp(-2.0 * a * step_m_ * step_m_);
   const double next_lane = std::pow(second, kLanes), second_of_lanes = std::pow(next_lane, kLanes);
+  // kLanes steps from the first sample: exp(-a s (2x + s)) for each, and each smaller by `second` than the one before.
+  const double between_lanes = std::pow(second, kLanes * (kLanes - 1) / 2);
   const auto samples = static_cast<std::ptrdiff_t>(signal_.size());
   const auto cut = static_cast<std::ptrdiff_t>(cut_m / step_m_) + 2;
   for (const Pulse& pulse : pulses) {
@@ -120,8 +142,9 @@ void WaveformPart::addGaussians(std::span<const Pulse> pulses, double cut_m) {
     const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, centre - cut), end = std::min(samples, centre + cut + 1);
     const double x_m = start_m_ + static_cast<double>(begin) * step_m_ - pulse.range_m;
     Lanes value{pulse.power_w * std::exp(-a * x_m * x_m)};
-    Lanes factor{std::exp(-a * kLanes * step_m_ * (2.0 * x_m + kLanes * step_m_))};
     double one_step = std::exp(-a * step_m_ * (2.0 * x_m + step_m_));
+    const double two_steps = one_step * one_step, four_steps = two_steps * two_steps;
+    Lanes factor{four_steps * four_steps * between_lanes};
     for (std::size_t j = 1; j < kLanes; ++j, one_step *= second) {
       value[j] = value[j - 1] * one_step;
       factor[j] = factor[j - 1] * next_lane;
@@ -199,13 +222,15 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
                    lone_.range_m, lone_.power_w});
     return;
   }
-  std::size_t i = 0;
   const std::size_t before = out.size();
-  while (i < signal_.size()) {
-    while (i < signal_.size() && signal_[i] <= level_w) ++i;
-    const std::size_t begin = i;
-    while (i < signal_.size() && signal_[i] > level_w) ++i;
-    if (i > begin) out.push_back(stretchAt(begin, i, level_w));
+  for (const auto& [first, end] : audible_) {
+    std::size_t i = first;
+    while (i < end) {
+      while (i < end && signal_[i] <= level_w) ++i;
+      const std::size_t begin = i;
+      while (i < end && signal_[i] > level_w) ++i;
+      if (i > begin) out.push_back(stretchAt(begin, i, level_w));
+    }
   }
   if (out.size() > before) return;
   // The level lies between the highest sample and the true peak: a stretch narrower than a sample step.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/signal/pulse.h"
@@ -42,6 +43,7 @@ class WaveformPart {
  private:
   void addGaussians(std::span<const Pulse> pulses, double cut_m);
   void addMeasured(std::span<const Pulse> pulses);
+  void findAudible();
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
@@ -54,6 +56,8 @@ class WaveformPart {
   double lowest_level_w_ = 0.0;
   double highest_w_ = 0.0;
   std::vector<double> signal_;  ///< [W]
+  /// Samples [first, second) above the lowest level; a fog's long tail holds none, and every shot listens once more.
+  std::vector<std::pair<std::size_t, std::size_t>> audible_;
 };
 
 /// Splits the pulses of one beam into parts that do not touch above `lowest_level_w`. Parts that stay below it are

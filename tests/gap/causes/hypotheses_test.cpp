@@ -72,7 +72,8 @@ TEST(Hypotheses, APulseMayJitterInItsPowerAloneOrInItsDurationAlone) {
                       {"duration_stddev_ns", "power_stddev"}, {"duration_stddev_ns"}, {"power_stddev"}}));
 }
 
-// A sensor that reports the leading edge already walks as it is; its calibration is a constant offset, which has a name.
+// A sensor that reports the leading edge already walks as it is; its calibration is a constant offset, which has a
+// name.
 TEST(Hypotheses, OfASensorThatReportsTheLeadingEdgeOnlyALinearFrontIsARangeWalk) {
   const SmallWorld world;
   const auto formsOf = [&](const char* range_mode) {

@@ -60,6 +60,16 @@ TEST(Blinding, TakesTheRangeBelowSaturation) {
   EXPECT_NEAR(*lab::ShotBench(setup).shot(0, 1).receiver.saturation_w, 3e-6, 1e-18);
 }
 
+TEST(Blinding, AGainThatGivesWayLeavesWeakerEchoesInTheSectorOnly) {
+  lab::Case setup = fan("blinding", {{"irradiance", 0.01}, {"width_deg", 4}});
+  setup.scene[0]["shape"]["width_m"] = 20;  // before all three beams
+  const lab::ShotBench clear(setup);
+  setup.effects["blinding"]["gain_loss"] = 0.6;
+  const lab::ShotBench bench(setup);
+  EXPECT_NEAR(bench.shot(0, 1).pulses.at(0).power_w / clear.shot(0, 1).pulses.at(0).power_w, 0.4, 1e-9);
+  EXPECT_EQ(bench.shot(0, 0).pulses.at(0).power_w, clear.shot(0, 0).pulses.at(0).power_w);
+}
+
 TEST(Blinding, FromSaturationOnNothingIsSeen) {
   lab::Case setup = fan("blinding", {{"irradiance", 10}, {"saturation_irradiance", 10}});
   setup.frames = 50;

@@ -1,0 +1,59 @@
+#include "gap/which/counter.h"
+
+#include <algorithm>
+
+#include "gap/which/partners.h"
+#include "gap/which/rivals.h"
+#include "gap/which/second_cause.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kPartners = 3;   // of the counter
+constexpr double kHarmedCells = 0.08;  // of the discrepancy: a counter that costs more is not there
+
+template <typename Candidates>
+auto counterIn(Candidates& candidates) {
+  return std::find_if(candidates.begin(), candidates.end(),
+                      [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
+}
+
+}  // namespace
+
+bool showACounter(const std::vector<Candidate>& singles) { return counterIn(singles) != singles.end(); }
+
+std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                        const WhereResult& where, const std::vector<Candidate>& singles,
+                                        const core::Progress& progress) {
+  const Candidate &best = singles.front(), &counter = *counterIn(singles);
+  if (counter.hypothesis.name == best.hypothesis.name) return {};
+  std::vector<Candidate> pairs;
+  for (const Candidate& single : singles) {
+    if (pairs.size() == kPartners) break;
+    if (!pairs.empty() && !pairable(single.hypothesis, counter.hypothesis)) continue;
+    pairs.push_back(pairOf(single, counter));
+    exact.hear(pairs.back());
+  }
+  sortByMerit(pairs);
+  polish(exact, gaps, pairs, where, progress);
+  leadByEffects(quick, exact, pairs);
+  const double alone = std::min(1.0, best.explained), both = std::min(1.0, pairs.front().explained);
+  const bool leaves_more = pairs.front().total_left > std::max(kMostRestOfPair, best.total_left);
+  return both < alone - kHarmedCells || leaves_more ? std::vector<Candidate>{} : pairs;
+}
+
+bool earnsBesideTheCounter(const Judge& exact, const Candidate& pair) {
+  std::vector<Candidate> members = membersOf(pair);
+  Candidate& counter = *counterIn(members);
+  exact.hear(counter);
+  const auto more = static_cast<double>(pair.values.size() - counter.values.size());
+  return counter.discrepancy - pair.discrepancy >= Judge::kNatsPerNumber * more;
+}
+
+void leadByTheCounter(std::vector<Candidate>& singles) {
+  const auto counter = counterIn(singles);
+  std::rotate(singles.begin(), counter, counter + 1);
+}
+
+}  // namespace gap
