@@ -116,7 +116,7 @@ std::string shrinkText(const Diagnosis& diagnosis) {
 std::string agreementText(const Diagnosis& diagnosis) {
   std::vector<std::string> parts;
   for (const MeasurandGap& m : diagnosis.before.measurands) {
-    parts.push_back(fmt::format("{} {} {}", measurandTitle(m.name), core::significant(std::abs(m.d_bias), 2), m.unit));
+    parts.push_back(fmt::format("{} {}", measurandTitle(m.name), withUnit(std::abs(m.d_bias), m.unit, 2)));
   }
   const bool chance = diagnosis.p_value >= kSignificance;
   return fmt::format("Means differ by: {}. {}", core::join(parts, "; "),

@@ -14,7 +14,7 @@ using report::Html;
 
 namespace {
 
-std::string number(double value, const std::string& unit) { return core::significant(value, 2) + " " + unit; }
+std::string number(double value, const std::string& unit) { return withUnit(value, unit, 2); }
 
 void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<std::vector<Html>> rows;

@@ -131,8 +131,6 @@ std::string setupsText(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }
-
 std::string measurandTitle(const std::string& measurand) {
   if (measurand == "epw") return "echo pulse width";
   if (measurand == "existence") return "existence of echoes";
@@ -155,19 +153,6 @@ std::string parameterTitle(const Cause& cause, const FittedParameter& parameter)
 }
 
 std::string unitOf(const FittedParameter& parameter) { return parameter.unit == "deg" ? "°" : parameter.unit; }
-
-std::string withUnit(double value, const std::string& unit) {
-  if (unit == "W" && value != 0.0 && std::abs(value) < 1e-3) return core::significant(1e9 * value) + " nW";
-  const std::string number = core::significant(value);
-  if (unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
-  return number + (unit.empty() || unit == "°" ? "" : " ") + unit;
-}
-
-std::string intervalText(const Interval& interval, const std::string& unit) {
-  if (unit == "W" && std::max(std::abs(interval.low), std::abs(interval.high)) < 1e-3)
-    return fmt::format("{} to {} nW", core::significant(1e9 * interval.low), core::significant(1e9 * interval.high));
-  return fmt::format("{} to {}", core::significant(interval.low), withUnit(interval.high, unit));
-}
 
 std::string confidenceInWords(double confidence) {
   if (confidence >= 0.95) return "very sure";

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gap/diagnosis.h"
+#include "gap/report/quantities.h"
 #include "gap/which/frame_mode.h"
 
 namespace gap {
@@ -52,17 +53,9 @@ namespace gap {
 /// Of what a verdict names, what it cannot tell from other causes: "it", or "one of them" of two.
 [[nodiscard]] const char* whatIsTied(const Verdict& verdict);
 
-/// A number to three digits with its unit; small powers in nW, what exists in echoes per shot.
-[[nodiscard]] std::string withUnit(double value, const std::string& unit);
-/// "0.42 to 0.47 m".
-[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
-
 /// "very sure" … "hardly more than a guess".
 [[nodiscard]] std::string confidenceInWords(double confidence);
 /// Whether a deviation may be chance: "no, certainly", "no", "hardly", "possibly".
 [[nodiscard]] std::string certaintyInWords(double p_value);
-
-/// "62 %".
-[[nodiscard]] std::string percent(double fraction);
 
 }  // namespace gap

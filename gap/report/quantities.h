@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "gap/far/how_far.h"
+
+namespace gap {
+
+/// A number with its unit, to some digits; powers below a milliwatt in nW, lengths below a millimetre in mm, what
+/// exists in echoes per shot.
+[[nodiscard]] std::string withUnit(double value, const std::string& unit, int digits = 3);
+/// "0.42 to 0.47 m"; both ends in one unit.
+[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
+
+/// "62 %".
+[[nodiscard]] std::string percent(double fraction);
+
+}  // namespace gap

@@ -1,0 +1,30 @@
+#include "gap/report/quantities.h"
+
+#include <gtest/gtest.h>
+
+namespace gap {
+namespace {
+
+TEST(Quantities, AreReadWithoutExponent) {
+  EXPECT_EQ(withUnit(0.27, "m"), "0.27 m");
+  EXPECT_EQ(withUnit(-4.914e-5, "m"), "-0.0491 mm");
+  EXPECT_EQ(withUnit(2.7e-8, "W"), "27 nW");
+  EXPECT_EQ(withUnit(0.0, "m"), "0 m");
+  EXPECT_EQ(withUnit(0.12345, "m", 2), "0.12 m");
+  EXPECT_EQ(withUnit(12.0, "°"), "12°");
+}
+
+TEST(Quantities, BothEndsOfAnIntervalHaveOneUnit) {
+  EXPECT_EQ(intervalText({0.42, 0.47}, "m"), "0.42 to 0.47 m");
+  EXPECT_EQ(intervalText({-0.0002, 0.0007}, "m"), "-0.2 to 0.7 mm");
+  EXPECT_EQ(intervalText({-0.0002, 0.0017}, "m"), "-0.0002 to 0.0017 m");
+  EXPECT_EQ(intervalText({2e-8, 3e-8}, "W"), "20 to 30 nW");
+}
+
+TEST(Quantities, OneEchoIsNotSeveral) {
+  EXPECT_EQ(withUnit(-1.0, "1/shot"), "-1 echo per shot");
+  EXPECT_EQ(withUnit(0.5, "1/shot"), "0.5 echoes per shot");
+}
+
+}  // namespace
+}  // namespace gap
