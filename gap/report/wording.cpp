@@ -258,9 +258,8 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
     case VerdictKind::kNone:
       return diagnosis.p_value >= kSignificance
                  ? "Measurement and simulation agree as far as these data can tell: there is no gap to explain."
-                 : "Measurement and simulation agree to within what matters at the sensor's resolution: there is no "
-                   "gap "
-                   "to explain.";
+                 : "Measurement and simulation agree to within what matters at the sensor's resolution: no gap "
+                   "is to be explained.";
     case VerdictKind::kEffect:
       return fmt::format("The measurement shows {} that the simulation lacks: {}.", several ? "effects" : "an effect",
                          causes);

@@ -19,8 +19,8 @@ namespace {
 /// From E_s on nothing is left: every echo of the beam is lost (blinded). The sector stands for the receiver's stray
 /// light as well, so it may be much wider than its field of view.
 /// Source: Petit et al. 2015, Remote Attacks on Automated Vehicles Sensors, Black Hat Europe; Shin et al. 2017,
-/// doi:10.1007/978-3-319-66787-4_22 (saturation of lidars by light); Webb, McIntyre & Conradi 1974, RCA Review 35, 234
-/// (an avalanche photodiode's gain falls with the current, which takes some of its voltage away).
+/// doi:10.1007/978-3-319-66787-4_22 (saturation of lidars by light); Melchior & Lynch 1966, IEEE Trans. Electron
+/// Devices 13, 829 (an avalanche photodiode's gain falls with the current, which takes some of its voltage away).
 class Blinding final : public Effect {
  public:
   explicit Blinding(const EffectParameters& parameters)

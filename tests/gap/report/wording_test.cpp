@@ -37,8 +37,8 @@ TEST(VerdictSentence, DoesNotCallADifferenceThatIsCertainButTooSmallToMatterNois
             "Measurement and simulation differ by more than noise, but by too little to matter against the sensor's "
             "resolution (confidence 50 %).");
   EXPECT_EQ(answerSentence(diagnosis),
-            "Measurement and simulation agree to within what matters at the sensor's resolution: there is no gap to "
-            "explain.");
+            "Measurement and simulation agree to within what matters at the sensor's resolution: no gap is to be "
+            "explained.");
 }
 
 }  // namespace
