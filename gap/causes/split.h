@@ -18,7 +18,7 @@ struct Split {
 /// three samples the beams are split.
 [[nodiscard]] Split splitOf(const Replay& replay, std::uint64_t seed);
 
-/// Every second beam column of all samples judges: the weaker way, where no whole sample can.
+/// Every second beam of all samples judges (Half): the weaker way, where no whole sample can.
 [[nodiscard]] Split splitByBeams(const Replay& replay, std::uint64_t seed);
 
 }  // namespace gap

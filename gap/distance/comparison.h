@@ -10,7 +10,8 @@
 
 namespace gap {
 
-/// All beam columns, or every second one (to hold the rest out).
+/// All beams, or every second one of each column and layer (to hold the rest out): whatever is a single beam wide, a
+/// pole or an upright edge, has beams in both halves.
 enum class Half { kAll, kEven, kOdd };
 
 /// Which cells of a sample take part.

@@ -85,7 +85,8 @@ double groupLoss(double z) { return robustLoss(std::max(0.0, std::abs(z) - 1.0))
 bool takesPart(const ReplaySample& sample, const Cell& cell, Part part) {
   if (!part.edges && cell.at_edge) return false;
   if (part.half == Half::kAll) return true;
-  const bool odd = (sample.beams[cell.beam].column & 1) != 0;
+  const model::Beam& beam = sample.beams[cell.beam];
+  const bool odd = ((beam.column + beam.layer) & 1) != 0;  // like the squares of a chessboard
   return odd == (part.half == Half::kOdd);
 }
 

@@ -8,7 +8,7 @@
 
 namespace gap {
 
-/// Samples judge; or every second beam column of all samples, if the gap shows in held-out samples only, or in the
+/// Samples judge; or every second beam of all samples, if the gap shows in held-out samples only, or in the
 /// others only.
 [[nodiscard]] Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without);
 
