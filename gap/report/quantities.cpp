@@ -24,19 +24,21 @@ Readable readable(double largest, const std::string& unit) {
   return {1.0, unit};
 }
 
+std::string numberIn(const Readable& shown, double value, int digits) {
+  const std::string number = core::significant(shown.per_unit * value, digits);
+  if (shown.unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
+  return number + (shown.unit.empty() || shown.unit == "°" ? "" : " ") + shown.unit;
+}
+
 }  // namespace
 
 std::string withUnit(double value, const std::string& unit, int digits) {
-  const Readable shown = readable(std::abs(value), unit);
-  const std::string number = core::significant(shown.per_unit * value, digits);
-  if (unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
-  return number + (unit.empty() || unit == "°" ? "" : " ") + shown.unit;
+  return numberIn(readable(std::abs(value), unit), value, digits);
 }
 
 std::string intervalText(const Interval& interval, const std::string& unit) {
   const Readable shown = readable(std::max(std::abs(interval.low), std::abs(interval.high)), unit);
-  return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low),
-                     withUnit(shown.per_unit * interval.high, shown.unit));
+  return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low), numberIn(shown, interval.high, 3));
 }
 
 std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }

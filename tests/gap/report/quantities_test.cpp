@@ -18,6 +18,7 @@ TEST(Quantities, BothEndsOfAnIntervalHaveOneUnit) {
   EXPECT_EQ(intervalText({0.42, 0.47}, "m"), "0.42 to 0.47 m");
   EXPECT_EQ(intervalText({-0.0002, 0.0007}, "m"), "-0.2 to 0.7 mm");
   EXPECT_EQ(intervalText({-0.0002, 0.0017}, "m"), "-0.0002 to 0.0017 m");
+  EXPECT_EQ(intervalText({-0.00598, 0.000509}, "m"), "-0.00598 to 0.000509 m") << "the larger end says which";
   EXPECT_EQ(intervalText({2e-8, 3e-8}, "W"), "20 to 30 nW");
 }
 
