@@ -216,7 +216,7 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
                  Decision& decision, const core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
   const Candidate& best = decision.singles.front();
-  const bool explains = best.explained >= kNearlyAllCells ||
+  const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
                         exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));

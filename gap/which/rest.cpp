@@ -96,10 +96,6 @@ Column fitted(const Eigen::MatrixXd& features, const Residuals& residuals) {
   return coefficients;
 }
 
-/// Set-ups differ between the two sides of the split. What a measurand is expected to be may well explain its residual:
-/// both are simulated under different noise (covariatesOf).
-bool mayExplain(const Covariate& covariate) { return covariate.name != "setup"; }
-
 std::vector<double> knotsOf(const Covariate& covariate, const std::vector<Row>& rows) {
   std::vector<double> values;
   for (const Row& row : rows) {
@@ -287,7 +283,9 @@ struct Sums {
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                            const WhereResult& after) {
   std::vector<Covariate> covariates = covariatesOf(replay, after.expected);
-  std::erase_if(covariates, [](const Covariate& covariate) { return !mayExplain(covariate); });
+  // Set-ups differ between the two sides of the split. What a measurand is expected to be may well explain its
+  // residual: both are simulated under different noise (covariatesOf).
+  std::erase_if(covariates, [](const Covariate& covariate) { return covariate.name == "setup"; });
   Rest rest;
   Sums sums;
   for (const ResidualTable& table : after.tables) {

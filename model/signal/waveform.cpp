@@ -52,6 +52,18 @@ void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
   pulses.resize(kept);
 }
 
+/// Reports every run of samples above a level, [first, end) of `signal`, in order.
+template <typename Report>
+void runsAbove(double level, const std::vector<double>& signal, std::size_t first, std::size_t end,
+               const Report& report) {
+  for (std::size_t i = first; i < end;) {
+    while (i < end && signal[i] <= level) ++i;
+    const std::size_t begin = i;
+    while (i < end && signal[i] > level) ++i;
+    if (i > begin) report(begin, i);
+  }
+}
+
 using Lanes = std::array<double, kLanes>;
 
 /// Adds `value` to blocks of kLanes samples, one block after the other, growing by `factor`, and that by `second`.
@@ -104,18 +116,11 @@ WaveformPart::WaveformPart(std::span<const Pulse> pulses, const PulseForm& form,
   } else {
     addMeasured(pulses);
   }
-  findAudible();
+  runsAbove(lowest_level_w_, signal_, 0, signal_.size(),
+            [&](std::size_t begin, std::size_t end) { audible_.emplace_back(begin, end); });
   // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
   const std::size_t top = highestSample();
   highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
-}
-
-void WaveformPart::findAudible() {
-  for (std::size_t i = 0; i < signal_.size(); ++i) {
-    if (signal_[i] <= lowest_level_w_) continue;
-    if (audible_.empty() || audible_.back().second < i) audible_.emplace_back(i, i);
-    audible_.back().second = i + 1;
-  }
 }
 
 std::size_t WaveformPart::highestSample() const {
@@ -223,14 +228,9 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
     return;
   }
   const std::size_t before = out.size();
-  for (const auto& [first, end] : audible_) {
-    std::size_t i = first;
-    while (i < end) {
-      while (i < end && signal_[i] <= level_w) ++i;
-      const std::size_t begin = i;
-      while (i < end && signal_[i] > level_w) ++i;
-      if (i > begin) out.push_back(stretchAt(begin, i, level_w));
-    }
+  for (const auto& [first, last] : audible_) {
+    runsAbove(level_w, signal_, first, last,
+              [&](std::size_t begin, std::size_t end) { out.push_back(stretchAt(begin, end, level_w)); });
   }
   if (out.size() > before) return;
   // The level lies between the highest sample and the true peak: a stretch narrower than a sample step.

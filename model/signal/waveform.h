@@ -43,7 +43,6 @@ class WaveformPart {
  private:
   void addGaussians(std::span<const Pulse> pulses, double cut_m);
   void addMeasured(std::span<const Pulse> pulses);
-  void findAudible();
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;

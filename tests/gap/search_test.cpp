@@ -10,6 +10,7 @@
 #include "gap/which/decision.h"
 #include "gap/which/rivals.h"
 #include "gap/which/significance.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 // How the values of a cause are searched, and what counts when causes are compared.
@@ -31,8 +32,7 @@ class Search : public testing::Test {
     measure({}, everywhere);
   }
   [[nodiscard]] gap::Hypothesis effect(const std::string& name) const {
-    const auto all = gap::hypothesesFor(*replay_, {name});
-    return *std::find_if(all.begin(), all.end(), [&](const gap::Hypothesis& h) { return h.name == name; });
+    return test_support::hypothesisNamed(gap::hypothesesFor(*replay_, {name}), name);
   }
   [[nodiscard]] gap::Scouted scouted(const gap::Hypothesis& hypothesis) const {
     return gap::scout(*replay_, hypothesis, split_.fitted, {}, core::SilentProgress());

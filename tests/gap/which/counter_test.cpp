@@ -1,10 +1,10 @@
 #include "gap/which/counter.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "gap/far/how_far.h"
 #include "gap/which/partners.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -19,10 +19,8 @@ class Counter {
 
   /// With these values, best first.
   [[nodiscard]] gap::Candidate candidate(const std::string& name, double value, double total_left = 1.0) const {
-    const auto found = std::find_if(hypotheses_.begin(), hypotheses_.end(), [&](const gap::Hypothesis& h) {
-      return h.name == name && h.parameters.size() == 1;
-    });
-    return {.hypothesis = *found, .values = {value}, .total_left = total_left};
+    return {
+        .hypothesis = test_support::hypothesisNamed(hypotheses_, name), .values = {value}, .total_left = total_left};
   }
   [[nodiscard]] gap::Candidate counter() const { return candidate("quantisation", 0.0437); }
   [[nodiscard]] gap::Candidate noise(double total_left = 1.0) const {

@@ -5,6 +5,7 @@
 
 #include "gap/far/how_far.h"
 #include "gap/which/partners.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -28,10 +29,7 @@ std::vector<gap::Candidate> exchanged(const SmallWorld::Effects& truth, const st
   const gap::HeldOutGaps gaps(replay, split.held_out.samples, 1);
   std::vector<gap::Candidate> singles;
   for (const auto& [name, values, form] : causes) {
-    const auto all = gap::hypothesesFor(replay, {name});
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto& h) { return h.name == name && h.variant == form; });
-    singles.push_back({*found, values});
+    singles.push_back({test_support::hypothesisNamed(gap::hypothesesFor(replay, {name}), name, form), values});
   }
   std::vector<gap::Candidate> pairs{gap::pairOf(singles[0], singles[1])};
   judge.hear(pairs.front());

@@ -1,10 +1,10 @@
 #include "gap/which/rivals.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
 
 #include "gap/which/significance.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -30,8 +30,7 @@ class Rivals : public testing::Test {
   [[nodiscard]] gap::Candidate pairWith(const std::string& name, const std::string& variant, double value,
                                         double merit) const {
     const auto find = [&](const std::string& wanted, const std::string& form) {
-      return *std::find_if(hypotheses_.begin(), hypotheses_.end(),
-                           [&](const gap::Hypothesis& h) { return h.name == wanted && h.variant == form; });
+      return test_support::hypothesisNamed(hypotheses_, wanted, form);
     };
     gap::Candidate pair{.hypothesis = gap::together(find("angular-reflection", "oren-nayar"), find(name, variant)),
                         .values = {}};
@@ -69,9 +68,7 @@ TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
 // apart they are.
 TEST_F(Rivals, AreNotToldApartWhereHeldOutSamplesPreferTheOther) {
   const auto candidate = [&](const std::string& name, double value, double merit) {
-    gap::Candidate single{.hypothesis = *std::find_if(hypotheses_.begin(), hypotheses_.end(),
-                                                      [&](const gap::Hypothesis& h) { return h.name == name; }),
-                          .values = {value}};
+    gap::Candidate single{.hypothesis = test_support::hypothesisNamed(hypotheses_, name), .values = {value}};
     judge_.hear(single);
     single.merit = merit;
     return single;

@@ -1,10 +1,10 @@
 #include "gap/which/second_cause.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "gap/which/partners.h"
 #include "gap/which/significance.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -26,9 +26,7 @@ TEST(SecondCause, NeedsNoLeastGainWhereItTakesNearlyAllThatAGiantLeaves) {
   const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
   const auto hypotheses = gap::hypothesesFor(replay, {"cover-contamination", "range-offset"});
   const auto candidate = [&](const std::string& name, std::vector<double> values) {
-    const auto found = std::find_if(hypotheses.begin(), hypotheses.end(),
-                                    [&](const gap::Hypothesis& hypothesis) { return hypothesis.name == name; });
-    return gap::Candidate{.hypothesis = *found, .values = std::move(values)};
+    return gap::Candidate{.hypothesis = test_support::hypothesisNamed(hypotheses, name), .values = std::move(values)};
   };
   gap::Candidate single = candidate("cover-contamination", {0.5, -5.0, 60.0});
   gap::Candidate pair = gap::pairOf(single, candidate("range-offset", {0.03}));

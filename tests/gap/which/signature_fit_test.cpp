@@ -1,10 +1,10 @@
 #include "gap/which/signature_fit.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "gap/causes/fit.h"
 #include "gap/causes/split.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 // Fog took a part of the light, and whoever calibrated the emitter's power to the mean put nearly all of it back.
@@ -22,8 +22,7 @@ class SignatureFit : public testing::Test {
         both_(gap::together(hypothesis("atmospheric-attenuation"), hypothesis("/sensor/emitter/peak_power_w"))) {}
 
   [[nodiscard]] gap::Hypothesis hypothesis(const std::string& name) const {
-    const auto all = gap::hypothesesFor(replay_, {"atmospheric-attenuation"});
-    return *std::find_if(all.begin(), all.end(), [&](const gap::Hypothesis& h) { return h.name == name; });
+    return test_support::hypothesisNamed(gap::hypothesesFor(replay_, {"atmospheric-attenuation"}), name);
   }
 
   SmallWorld world_;
