@@ -102,6 +102,41 @@ Point withDips(const Objective& objective, const std::vector<Point>& even, const
   return dip.discrepancy < nearest.discrepancy ? dip : nearest;
 }
 
+/// What lies between a place where a cause does nothing and one where it does far too much: what it does first may be
+/// right. Halves the distance until it meets something better than nothing, or the places are next to each other.
+Point atOnset(const Objective& objective, Point nothing, Point too_much) {
+  constexpr double kNext = 1e-4;  // of the line
+  constexpr std::uintmax_t kTrials = 10;
+  while (std::abs(too_much.unit[0] - nothing.unit[0]) > kNext) {
+    Point middle{{0.5 * (nothing.unit[0] + too_much.unit[0])}};
+    middle.discrepancy = objective(middle.unit);
+    if (middle.discrepancy < nothing.discrepancy) {
+      const auto [low, high] = std::minmax(nothing.unit[0], too_much.unit[0]);
+      Point dip = lowestBetween(objective, low, high, kTrials);
+      return dip.discrepancy < middle.discrepancy ? dip : middle;
+    }
+    (middle.discrepancy == nothing.discrepancy ? nothing : too_much) = std::move(middle);
+  }
+  return nothing;
+}
+
+/// The best point of a line, if it is no better than those where the cause does nothing: what is between them and the
+/// next ones (an aperture that begins to take echoes does so within half a millimetre).
+Point withOnsets(const Objective& objective, std::vector<Point> points, const Point& best) {
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
+  Point nearest = best;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point &a = points[i], &b = points[i + 1];
+    const bool left = a.discrepancy == best.discrepancy, right = b.discrepancy == best.discrepancy;
+    if (left == right || (left ? i == 0 : i + 2 == points.size())) continue;
+    const bool flat = points[left ? i - 1 : i + 2].discrepancy == best.discrepancy;
+    if (!flat) continue;
+    Point onset = left ? atOnset(objective, a, b) : atOnset(objective, b, a);
+    if (onset.discrepancy < nearest.discrepancy) nearest = std::move(onset);
+  }
+  return nearest;
+}
+
 /// Nearer to the start again where a wide search leads away from a dip that was known.
 std::vector<double> refineOne(const Objective& objective, double start, double reach) {
   constexpr std::uintmax_t kTrials = 24;
@@ -246,7 +281,7 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
     std::vector<Point> even = looked_at;
     std::sort(even.begin(), even.end(), [](const Point& a, const Point& b) { return a.unit < b.unit; });
     lookBetween(objective, looked_at);
-    return withDips(objective, even, middleOfBest(looked_at));
+    return withDips(objective, even, withOnsets(objective, looked_at, middleOfBest(looked_at)));
   }
   return *std::min_element(looked_at.begin(), looked_at.end(),
                            [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });

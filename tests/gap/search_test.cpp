@@ -69,6 +69,18 @@ TEST_F(Search, FindsANarrowDipBesideARangeInWhichAllIsLost) {
   EXPECT_NEAR(found.values[0], 0.0565, 0.0005);
 }
 
+// Up to an offset of 50 mm the receiver sees the whole beam 8 m away; half a millimetre more takes a little light, and
+// every step of an even search does either nothing or far too much.
+TEST_F(Search, FindsWhatACauseDoesFirstWhereItSoonDoesTooMuch) {
+  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
+                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  measured_ = world_.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.051}}}}, narrow), 0.4);
+  replay_.emplace(measured_, SmallWorld::modelWith({}, narrow));
+  split_ = gap::splitOf(*replay_, 1);
+  const gap::Scouted found = scouted(effect("aperture-offset"));
+  EXPECT_NEAR(found.values[0], 0.051, 0.0002);
+}
+
 // One in five hundred shots: three frames of four samples hardly have such an echo, all that was measured has dozens.
 TEST_F(Search, BeginsAtTheRateAtWhichFalseEchoesCame) {
   measure({{"false-alarm", {{"rate_per_beam", 0.002}}}});
