@@ -34,13 +34,23 @@ bool holdsDetections(const Replay& replay, const Evidence& evidence) {
                      [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
 }
 
-bool leavesOnePartOnly(const Judge& judge, const Decision& decision) {
+/// What brings the fitted samples nearest: a recalibration that hides a cause does, wherever the cause acts.
+const Candidate& nearestToFitted(const Judge& quick, const std::vector<Candidate>& singles) {
+  std::vector<double> left;
+  for (const Candidate& single : singles) left.push_back(quick.leftOfFitted(single.hypothesis, single.values));
+  return singles[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
+}
+
+bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& decision) {
   if (judge.split.weak || decision.singles.empty() || decision.pair()) return false;
   if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
-  const Candidate& best = decision.singles.front();
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
-  return inOnePartOnly(restOf(judge, best), restOf(on_fitted, best));
+  const auto leavesOnePart = [&](const Candidate& cause) {
+    return inOnePartOnly(restOf(judge, cause), restOf(on_fitted, cause));
+  };
+  return leavesOnePart(decision.singles.front()) ||
+         (!decision.winner && leavesOnePart(nearestToFitted(quick, decision.singles)));
 }
 
 }  // namespace
@@ -59,7 +69,7 @@ Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, b
     return {quick, exact, decide(withoutEdges(quick), withoutEdges(exact), gaps, clear, where, hypotheses, progress)};
   }
   Decision decision = decide(quick, exact, gaps, clear, where, hypotheses, progress);
-  if (!leavesOnePartOnly(exact, decision)) return {quick, exact, std::move(decision)};
+  if (!leavesOnePartOnly(quick, exact, decision)) return {quick, exact, std::move(decision)};
   progress.report(0.1, "judging by beams: what is left shows in some of the samples only");
   Judge by_beams = judgeByBeams(exact.replay, exact.split.fitted.seed, without);
   by_beams.weight_of_total = exact.weight_of_total;

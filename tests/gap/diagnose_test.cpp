@@ -303,6 +303,26 @@ TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
   EXPECT_NEAR(diagnosis.as_run->before_total, diagnosis.before.total, 0.1 * diagnosis.before.total);
 }
 
+// A calibration that is off by two per cent is in all samples; what it was made up for, in the nearest, held-out one.
+TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
+  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
+                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  const SmallWorld world;
+  model::Experiment experiment =
+      world.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.054}}}}, narrow), 0.4);
+  for (model::Sample& sample : experiment.samples) {
+    if (sample.id == "r8") sample.role = model::Role::kPrediction;
+    if (sample.id == "r36") sample.role = model::Role::kValidation;
+  }
+  auto recalibrated = narrow;
+  recalibrated["/sensor/emitter/peak_power_w"] = 49.0;
+  const gap::Diagnosis diagnosis =
+      diagnosed(experiment, SmallWorld::modelWith({}, recalibrated), {"aperture-offset", "atmospheric-attenuation"});
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.054, 0.001);
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+}
+
 TEST(Diagnose, NamesASecondCauseThatPooledDataHide) {
   SmallWorld world;
   world.knownToWithin(0.025);
