@@ -200,7 +200,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   polish(exact, gaps, pairs, where, progress);
   if (pairs.empty()) return false;
   exchangeMembers(quick, exact, gaps, decision.singles, pairs, progress);
-  leadByAll(quick, exact, pairs);
+  leadByAll(quick, exact, pairs, addedBySecond(decision.singles.front(), pairs));
   leadByEffects(quick, exact, pairs);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||

@@ -102,6 +102,12 @@ std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) 
   return std::nullopt;
 }
 
+double addedBySecond(const Candidate& single, const std::vector<Candidate>& pairs) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < pairs.size() && i <= kRivals; ++i) most = std::max(most, pairs[i].explained);
+  return most > 0.0 ? std::max(0.0, 1.0 - single.explained / most) : 0.0;
+}
+
 std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
                                  double added) {
   const Candidate& best = pairs.front();
@@ -117,13 +123,13 @@ std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const s
   return rivals;
 }
 
-void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
+void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added) {
   const double least_merit = candidates.front().merit - kFarBehind;
   for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
     const Candidate &best = candidates.front(), &other = candidates[i];
     const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
     if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
-    const double apart = separationOnAll(quick, exact, other, best, kTie);
+    const double apart = separationOnAll(quick, exact, other, best, kTie * added);
     if (apart < std::sqrt(kApart * kApart + costOf(other, best))) continue;
     const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(candidates.begin(), place, place + 1);

@@ -31,14 +31,17 @@ struct Rival {
 /// left open. None where that is a parameter: it would not be named (leadByEffects).
 [[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
 
-/// Causes that may stand in the place of one of the best pair's. What a pair explains is mostly its better member's: a
-/// rival is as near if it is so by the measure of what the other one adds, the share `added`.
+/// Of what the nearest of the leading pairs explains, the share that the best single cause does not. What a pair
+/// explains is mostly its better member's: two pairs are alike if they are so by the measure of what the second adds.
+[[nodiscard]] double addedBySecond(const Candidate& single, const std::vector<Candidate>& pairs);
+
+/// Causes that may stand in the place of one of the best pair's; `added`: addedBySecond.
 [[nodiscard]] std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact,
                                                const std::vector<Candidate>& pairs, double added);
 
 /// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
-/// samples, by more than what it takes more to say it.
-void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates);
+/// samples, by more than what it takes more to say it. `added`, of pairs: addedBySecond.
+void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added = 1.0);
 
 /// Of pairs that the data cannot tell from the best one, one of two effects before one with a recalibration: it would
 /// not be named, and the effect in its place would be missed.

@@ -64,6 +64,29 @@ TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
   EXPECT_EQ(leaderOf({weaker_emitter_, glossy_wall_}), "/sensor/emitter/peak_power_w");
 }
 
+// Two pairs of one giant differ by little of the gap; by the measure of what the second cause adds they do not.
+TEST_F(Rivals, LeadByTheMeasureOfWhatTheSecondAdds) {
+  gap::Candidate thinner_haze = haze_;
+  thinner_haze.values.back() *= 1.05;
+  judge_.hear(thinner_haze);
+  thinner_haze.merit = 1.0;
+  gap::Candidate emitter = weaker_emitter_;
+  emitter.merit = 0.99;
+  const auto leader = [&](double added) {
+    std::vector<gap::Candidate> pairs{thinner_haze, emitter};
+    gap::leadByAll(judge_, judge_, pairs, added);
+    return pairs.front().hypothesis.name;
+  };
+  EXPECT_EQ(leader(1.0), thinner_haze.hypothesis.name);
+  EXPECT_EQ(leader(0.01), emitter.hypothesis.name);
+}
+
+TEST(AddedBySecond, IsTheShareOfTheNearestPairThatTheBestSingleCauseDoesNotExplain) {
+  const auto explaining = [](double share) { return gap::Candidate{.explained = share}; };
+  EXPECT_NEAR(gap::addedBySecond(explaining(0.96), {explaining(0.97), explaining(1.0), explaining(0.98)}), 0.04, 1e-12);
+  EXPECT_DOUBLE_EQ(gap::addedBySecond(explaining(0.96), {explaining(0.9)}), 0.0);
+}
+
 // A cause that leads by all samples together while the held-out ones prefer another is not told from it, however far
 // apart they are.
 TEST_F(Rivals, AreNotToldApartWhereHeldOutSamplesPreferTheOther) {
