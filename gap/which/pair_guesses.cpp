@@ -48,6 +48,21 @@ std::vector<Guess> nearestOf(std::vector<Guess> guesses, std::size_t count) {
   return guesses;
 }
 
+/// Few places of a cause that all others are looked at beside: a line at its thirds and at its end, where most causes
+/// are strongest.
+std::vector<std::vector<double>> fewPlaces(const Hypothesis& hypothesis) {
+  const UnitCube cube(hypothesis.parameters);
+  std::vector<std::vector<double>> places;
+  if (hypothesis.parameters.size() == 1) {
+    for (const double unit : {1.0 / 3.0, 2.0 / 3.0, 1.0}) places.push_back(cube.valuesAt({unit}));
+  } else if (hypothesis.parameters.empty()) {
+    places.push_back({});
+  } else {
+    for (const auto& point : evenPoints(hypothesis.parameters.size(), 3)) places.push_back(cube.valuesAt(point));
+  }
+  return places;
+}
+
 /// With every first cause the nearest guess.
 std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses) {
   std::set<std::size_t> taken;
@@ -125,34 +140,67 @@ std::vector<Guess> PairGuesses::nearestSums() const {
   return lookedAt(nearestOf(std::move(guesses), kSumsFitted));
 }
 
+/// A look at every two effects, at few places each: of two that do nothing but together (a pane that lets light
+/// through, and echoes that merge with those from behind it) neither leads to the other.
+std::vector<Guess> PairGuesses::nearestOfEveryTwo() const {
+  std::vector<Atom> places;
+  for (std::size_t i = 0; i < singles_.size(); ++i) {
+    const Hypothesis& hypothesis = singles_[i].hypothesis;
+    if (hypothesis.kind != CauseKind::kEffect || !hypothesis.variant.empty() || !hypothesis.sensors.empty()) continue;
+    for (auto& values : fewPlaces(hypothesis)) places.push_back({i, std::move(values)});
+  }
+  std::vector<std::vector<Guess>> beside(places.size());
+  core::parallelFor(places.size(), 1, [&](std::size_t a, std::size_t) {
+    for (std::size_t b = a + 1; b < places.size(); ++b) {
+      core::stopIfCancelled(progress_);
+      if (!mayPair(places[a].single, places[b].single)) continue;
+      Guess guess{places[a].single, places[b].single, joined(places[a].values, places[b].values)};
+      guess.distance = distanceOf(hypothesisOf(guess), guess.values);
+      beside[a].push_back(std::move(guess));
+    }
+    beside[a] = nearestOf(std::move(beside[a]), kSumsFitted);
+  });
+  std::vector<Guess> guesses;
+  for (auto& some : beside) append(guesses, std::move(some));
+  return nearestOf(std::move(guesses), kSumsFitted);
+}
+
 /// Every cause that may be a pair with this one is looked at beside it, wherever it was looked at alone: what two do
-/// together may be in neither's signature (fog blinds a receiver that does not look past its near field).
-std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
-  const World world = worldOf(scout_, singles_[first].hypothesis, values);
+/// together may be in neither's signature (fog blinds a receiver that does not look past its near field). What the
+/// first one leaves says where: of all beams, for a hundred do not show in which sector a receiver is noisier.
+std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values, Look look) const {
   std::vector<Atom> atoms = atoms_;
   std::erase_if(atoms, [&](const Atom& atom) {
     const bool seldom = !singles_[atom.single].hypothesis.sensors.empty() && atom.single >= kBestAlone;
     return seldom || !mayPair(first, atom.single);
   });
-  const WhereResult where = whereIn(scout_, world, scouted_.seed);
+  const World world = worldOf(judge_.replay, singles_[first].hypothesis, values);
+  const WhereResult where = whereIn(judge_.replay, world, scouted_.seed);
   for (std::size_t i = 0; i < singles_.size(); ++i)
     if (mayPair(first, i)) append(atoms, suggestedFor(i, where));
-  std::vector<Guess> guesses = nearestOf(nearestPartners(first, values, atoms), kPartnersTried);
-  guesses = nearestOf(withFittedPartners(std::move(guesses)), kPartnersFitted);
-  append(guesses, lookedAt(partnersByAll(first, values)));
+  std::vector<Guess> nearest = nearestPartners(first, values, atoms);
+  if (look == Look::kClosely) nearest = searchedOnLines(std::move(nearest));
+  std::vector<Guess> guesses = nearestOf(withFittedPartners(nearestOf(nearest, kPartnersTried)), kPartnersFitted);
+  append(guesses, lookedAt(nearestByAll(first, values, nearest)));
   return guesses;
 }
 
-/// What goes best with a cause by all that is fitted, where it brings enough to be believed.
-std::vector<Guess> PairGuesses::partnersByAll(std::size_t first, const std::vector<double>& values) const {
-  const Candidate kept{.hypothesis = singles_[first].hypothesis, .values = values};
-  const double alone = judge_.leftOfFitted(kept.hypothesis, values);
-  std::vector<Guess> guesses;
-  for (const auto& [single, left] : gap::partnersOf(judge_, kept, singles_, progress_)) {
-    if (guesses.size() == kPartnersOfAll || alone - left < Judge::kNatsPerNumber) break;
-    guesses.push_back({first, single, joined(values, singles_[single].values), left});
-  }
-  return guesses;
+/// What goes best with a cause by all that is fitted, as it is nearest to the few data or as it is alone, where it
+/// brings enough to be believed.
+std::vector<Guess> PairGuesses::nearestByAll(std::size_t first, const std::vector<double>& values,
+                                             std::vector<Guess> guesses) const {
+  const auto distanceByAll = [&](const Guess& guess) { return judge_.leftOfFitted(hypothesisOf(guess), guess.values); };
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    core::stopIfCancelled(progress_);
+    Guess& guess = guesses[g];
+    guess.distance = distanceByAll(guess);
+    Guess alone{first, guess.second, joined(values, singles_[guess.second].values)};
+    alone.distance = distanceByAll(alone);
+    if (alone.distance < guess.distance) guess = std::move(alone);
+  });
+  const double most = judge_.leftOfFitted(singles_[first].hypothesis, values) - Judge::kNatsPerNumber;
+  std::erase_if(guesses, [&](const Guess& guess) { return guess.distance > most; });
+  return nearestOf(std::move(guesses), kPartnersOfAll);
 }
 
 std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::vector<double>& values,
@@ -172,6 +220,24 @@ std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::ve
   }
   std::vector<Guess> guesses;
   for (auto& [single, guess] : nearest) guesses.push_back(std::move(guess));
+  return guesses;
+}
+
+/// The guesses with the second cause's number, where there is but one, searched all along its line: a threshold that is
+/// off by a tenth, or an aperture beside which all is lost, lies between the places that were looked at.
+std::vector<Guess> PairGuesses::searchedOnLines(std::vector<Guess> guesses) const {
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
+    Guess& guess = guesses[g];
+    if (numbersOf(guess.second) != 1) return;
+    const std::vector<double> fixed(guess.values.begin(), guess.values.end() - 1), start{guess.values.back()};
+    const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
+    const Objective objective(scout_, added, scouted_, progress_);
+    if (objective.tracesAnew(objective.unitOf(start))) return;
+    const std::vector<double> found = scout(scout_, added, scouted_, {start}, progress_).values;
+    const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, found, progress_);
+    const double distance = distanceOf(added, fitted);
+    if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
+  });
   return guesses;
 }
 

@@ -33,8 +33,11 @@ class PairGuesses {
 
   /// Pairs of causes by the distance of their summed signatures from the measurement.
   [[nodiscard]] std::vector<Guess> nearestSums() const;
+  /// Two effects that are much nearer together than either is alone may be far from every other guess.
+  [[nodiscard]] std::vector<Guess> nearestOfEveryTwo() const;
+  enum class Look { kClosely, kBriefly };
   /// What goes best with a cause at these values.
-  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const;
+  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values, Look look) const;
   /// What goes best with another value of a parameter: whoever calibrated the model to its means has hidden the cause
   /// in it, and no single hypothesis may look better than none. What is left of the cause shows only where the
   /// parameter is right within a per cent or two, so signatures are summed at many values of it.
@@ -57,9 +60,11 @@ class PairGuesses {
   [[nodiscard]] bool mayPair(std::size_t a, std::size_t b) const;
   void lookAtAtoms();
   [[nodiscard]] std::vector<Atom> suggestedFor(std::size_t single, const WhereResult& where) const;
-  [[nodiscard]] std::vector<Guess> partnersByAll(std::size_t first, const std::vector<double>& values) const;
+  [[nodiscard]] std::vector<Guess> nearestByAll(std::size_t first, const std::vector<double>& values,
+                                                std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
                                                    const std::vector<Atom>& atoms) const;
+  [[nodiscard]] std::vector<Guess> searchedOnLines(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const;
   [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXf>> stepsOf(std::size_t parameter) const;

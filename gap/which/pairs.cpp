@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kPartnered = 2;  // single causes that partners are looked for
 constexpr int kExchanges = 2;
+constexpr double kLittle = 0.5;         // of the gap: no cause that explains less leads to its partner
 constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are fitted roughly
 
 class PairSearch {
@@ -26,15 +27,17 @@ class PairSearch {
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
-    for (const std::size_t i : partnered()) append(guesses, guesses_.partnersOf(i, singles_[i].values));
+    using Look = PairGuesses::Look;
+    for (const std::size_t i : partnered()) append(guesses, guesses_.partnersOf(i, singles_[i].values, Look::kClosely));
     append(guesses, guesses_.nearestSums());
     append(guesses, guesses_.besideRecalibration());
     fit(std::move(guesses));
+    if (littleIsExplained()) fit(guesses_.nearestOfEveryTwo());
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
       const auto middle = best.candidate.values.begin() + static_cast<std::ptrdiff_t>(guesses_.numbersOf(best.first));
-      guesses = guesses_.partnersOf(best.first, {best.candidate.values.begin(), middle});
-      append(guesses, guesses_.partnersOf(best.second, {middle, best.candidate.values.end()}));
+      guesses = guesses_.partnersOf(best.first, {best.candidate.values.begin(), middle}, Look::kBriefly);
+      append(guesses, guesses_.partnersOf(best.second, {middle, best.candidate.values.end()}, Look::kBriefly));
       fit(std::move(guesses));
       if (pairs_.front().first == best.first && pairs_.front().second == best.second) break;
     }
@@ -71,6 +74,12 @@ class PairSearch {
       return names.size() == kPartnered || !names.insert(singles_[i].hypothesis.name).second;
     });
     return wanted;
+  }
+
+  [[nodiscard]] bool littleIsExplained() const {
+    const auto little = [](const Candidate& candidate) { return candidate.explained < kLittle; };
+    return std::all_of(singles_.begin(), singles_.end(), little) &&
+           std::all_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) { return little(pair.candidate); });
   }
 
   /// Whether these two causes were fitted together already, and came as near to the data as this guess.

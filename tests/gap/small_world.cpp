@@ -39,6 +39,16 @@ json sensorJson() {
             {"output", {"range", "epw", "intensity"}}}}};
 }
 
+/// A pane of glass as large as the wall, between it and the sensor.
+void addPane(json& experiment, double at_m) {
+  json pane = experiment["scene"][0];
+  pane["id"] = "pane";
+  pane["material"] = "glass";
+  pane["pose"]["position_m"][0] = at_m;
+  experiment["scene"].push_back(pane);
+  experiment["materials"]["glass"] = {{"reflectivity", 0.1}, {"transmission", 0.7}, {"refractive_index", 1.52}};
+}
+
 json experimentJson(double reflectivity, double width_m, const std::map<std::string, double>& offset_m) {
   json samples = json::array();
   const std::map<double, std::string> roles = {{8, "calibration"},  {13, "validation"}, {19, "prediction"},
@@ -90,13 +100,12 @@ model::LidarModel SmallWorld::modelWith(const Effects& effects, const std::map<s
 model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double true_reflectivity,
                                          const std::map<std::string, double>& offset_m) const {
   core::SilentProgress progress;
-  const auto real =
-      model::parseExperiment(experimentJson(true_reflectivity, wall_width_m_, offset_m), folder_ / "experiment.json");
+  const auto real = model::parseExperiment(withThings(true_reflectivity, offset_m), folder_ / "experiment.json");
   const auto measured =
       folder_ / ("measured-" + std::to_string(std::distance(std::filesystem::directory_iterator(folder_.path()),
                                                             std::filesystem::directory_iterator())));
   model::simulatePackage(real, truth, measured, seed_, progress);
-  json recorded = experimentJson(reflectivity_, wall_width_m_, {});
+  json recorded = withThings(reflectivity_, {});
   for (json& sample : recorded["samples"]) {
     if (known_to_within_m_ <= 0.0) continue;
     sample["epistemic"] = {
@@ -107,7 +116,13 @@ model::Experiment SmallWorld::measuredBy(const model::LidarModel& truth, double 
 }
 
 json SmallWorld::recorded(const std::map<std::string, double>& offset_m) const {
-  return experimentJson(reflectivity_, wall_width_m_, offset_m);
+  return withThings(reflectivity_, offset_m);
+}
+
+json SmallWorld::withThings(double reflectivity, const std::map<std::string, double>& offset_m) const {
+  json experiment = experimentJson(reflectivity, wall_width_m_, offset_m);
+  if (pane_at_m_ > 0.0) addPane(experiment, pane_at_m_);
+  return experiment;
 }
 
 SmallWorld& SmallWorld::measuredUnder(std::uint64_t seed) {
@@ -117,6 +132,11 @@ SmallWorld& SmallWorld::measuredUnder(std::uint64_t seed) {
 
 SmallWorld& SmallWorld::withAWallOf(double width_m) {
   wall_width_m_ = width_m;
+  return *this;
+}
+
+SmallWorld& SmallWorld::behindAPane(double at_m) {
+  pane_at_m_ = at_m;
   return *this;
 }
 

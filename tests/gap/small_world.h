@@ -29,6 +29,8 @@ class SmallWorld {
   [[nodiscard]] nlohmann::json recorded(const std::map<std::string, double>& offset_m = {}) const;
   /// With a wall so wide; as it is, no beam meets its edges.
   SmallWorld& withAWallOf(double width_m);
+  /// The same, seen through a large pane of glass so far away.
+  SmallWorld& behindAPane(double at_m);
   /// The same, recorded with an epistemic interval of ± `half_m` for the wall's distance.
   SmallWorld& knownToWithin(double half_m);
   /// Measured under other noise than usual; never that of the model under test.
@@ -36,8 +38,11 @@ class SmallWorld {
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
 
  private:
+  [[nodiscard]] nlohmann::json withThings(double reflectivity, const std::map<std::string, double>& offset_m) const;
+
   double reflectivity_;
   double wall_width_m_ = 60.0;
+  double pane_at_m_ = 0.0;  ///< 0: there is none
   double known_to_within_m_ = 0.0;
   std::uint64_t seed_ = 4711;
   TemporaryFolder folder_;
