@@ -4,6 +4,7 @@
 
 #include "gap/background.h"
 #include "gap/diagnosis.h"
+#include "gap/distance/models_grid.h"
 #include "gap/far/how_far.h"
 #include "gap/report/wording.h"
 #include "gap/where/pictures.h"
@@ -37,7 +38,13 @@ constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviation
 constexpr Detail kQuick{.most_beams = 360, .edge_rays = 17};
 constexpr Detail kExact{.most_beams = 6000, .edge_rays = 33};
 /// As the model traces when anybody runs it.
-constexpr Detail kAsRun{.most_beams = kExact.most_beams, .edge_rays = 0};
+constexpr Detail kAsRun{.most_beams = kExact.most_beams, .edge_rays = 0, .joined = false};
+
+/// The same where `fidelis simulate` made the measurement: then the model's own grid is the truth.
+Detail onModelsGrid(Detail detail) {
+  detail.edge_rays = 0;
+  return detail;
+}
 
 /// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
 model::LidarModel withInlineSensor(const model::LidarModel& model) {
@@ -326,8 +333,13 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   model.seed = seed;  // under it a foreign model is what it reported
   const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
   progress.report(0.0, "tracing the samples");
-  const Replay replay(experiment, model, kExact, foreign);
-  std::optional<Replay> few_beams(std::in_place, experiment, model, kQuick, foreign);
+  std::optional<Replay> all_beams(std::in_place, experiment, model, kExact, foreign);
+  const bool on_models_grid = experiment.synthetic() && !given.external &&
+                              madeOnTheModelsGrid(*all_beams, Replay(experiment, model, onModelsGrid(kExact)));
+  if (on_models_grid) all_beams.emplace(experiment, model, onModelsGrid(kExact));
+  const Replay& replay = *all_beams;
+  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(kQuick) : kQuick,
+                                  foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
   // Whoever decides, the samples that this one holds out say how far the gap shrinks.

@@ -208,15 +208,16 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
   std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
   chain.aim(beams);
+  const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
+  const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
   if (detail_.edge_rays == 0) {
     traced->hits = model::traceWith(chain, traced->situation.scene, std::move(beams),
                                     chain.subRays(world.model.rays_horizontal, world.model.rays_vertical));
+    if (detail_.joined) traced->hits = joined(traced->hits, {}, {}, range_bin_m, left_bin_rad);
     return traced;
   }
   const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
   const int vertical = std::max(kFewestRays, world.model.rays_vertical);
-  const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
-  const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
   const model::Scene& scene = traced->situation.scene;
   model::SubRays rays = chain.subRays(horizontal, vertical);
   addCorners(rays, sensor.emitter.beam_profile, settings.divergence);

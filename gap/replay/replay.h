@@ -54,6 +54,7 @@ struct Detail {
   /// Per direction, of the denser, sheared grid of partly hit beams: their power is right to one over its square. 0:
   /// every beam on the model's own grid, as `fidelis simulate` traces it.
   int edge_rays = 45;
+  bool joined = true;  ///< hits on one object are one, where they are near each other
 };
 
 /// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
@@ -71,7 +72,7 @@ class Replay {
 
   /// The same replay with fewer beams.
   [[nodiscard]] Replay thinner(std::size_t most_beams) const {
-    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays}, foreign_);
+    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays, detail_.joined}, foreign_);
   }
 
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }

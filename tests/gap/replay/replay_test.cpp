@@ -53,7 +53,7 @@ TEST(Replay, OnTheModelsOwnGridReportsWhatTheModelReportsWhenItIsRun) {
   experiment.json["scene"][0]["shape"]["width_m"] = 2.0 * 8.0 * std::tan(5.0 * core::kRadPerDeg + 0.95e-3);
   const core::Detections as_run = model::simulate(experiment, model, 0, {}, 7);
   const auto replayed = [&](int edge_rays) {
-    const gap::Replay replay(experiment, model, {.edge_rays = edge_rays});
+    const gap::Replay replay(experiment, model, {.edge_rays = edge_rays, .joined = edge_rays > 0});
     return replay.detections(replay.baseline(), 0, 7);
   };
   EXPECT_EQ(replayed(0).range_m, as_run.range_m);
