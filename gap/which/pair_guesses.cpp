@@ -223,38 +223,33 @@ std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::ve
   return guesses;
 }
 
-/// The guesses with the second cause's number, where there is but one, searched all along its line: a threshold that is
-/// off by a tenth, or an aperture beside which all is lost, lies between the places that were looked at.
+/// The guess with the second cause's numbers where they serve the first one best; before that, a number that is alone
+/// is searched all along its line, if so wanted.
+Guess PairGuesses::fitted(const Guess& guess, bool along_its_line) const {
+  const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
+  const std::vector<double> fixed(guess.values.begin(), middle);
+  std::vector<double> start(middle, guess.values.end());
+  const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
+  const Objective objective(scout_, added, scouted_, progress_);
+  if (objective.tracesAnew(objective.unitOf(start))) return guess;
+  if (along_its_line) start = scout(scout_, added, scouted_, {start}, progress_).values;
+  const std::vector<double> found = roughFitFrom(scout_, added, scouted_, start, progress_);
+  const double distance = distanceOf(added, found);
+  return distance < guess.distance ? Guess{guess.first, guess.second, joined(fixed, found), distance} : guess;
+}
+
+/// A threshold that is off by a tenth, or an aperture beside which all is lost, lies between the places that were
+/// looked at.
 std::vector<Guess> PairGuesses::searchedOnLines(std::vector<Guess> guesses) const {
   core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
-    Guess& guess = guesses[g];
-    if (numbersOf(guess.second) != 1) return;
-    const std::vector<double> fixed(guess.values.begin(), guess.values.end() - 1), start{guess.values.back()};
-    const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
-    const Objective objective(scout_, added, scouted_, progress_);
-    if (objective.tracesAnew(objective.unitOf(start))) return;
-    const std::vector<double> found = scout(scout_, added, scouted_, {start}, progress_).values;
-    const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, found, progress_);
-    const double distance = distanceOf(added, fitted);
-    if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
+    if (numbersOf(guesses[g].second) == 1) guesses[g] = fitted(guesses[g], true);
   });
   return guesses;
 }
 
-/// The guesses with the second cause's numbers where they serve the first one best: a cause of several numbers is
-/// seldom right at any place that was looked at.
+/// A cause of several numbers is seldom right at any place that was looked at.
 std::vector<Guess> PairGuesses::withFittedPartners(std::vector<Guess> guesses) const {
-  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
-    Guess& guess = guesses[g];
-    const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
-    const std::vector<double> fixed(guess.values.begin(), middle), start(middle, guess.values.end());
-    const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
-    const Objective objective(scout_, added, scouted_, progress_);
-    if (objective.tracesAnew(objective.unitOf(start))) return;
-    const std::vector<double> fitted = roughFitFrom(scout_, added, scouted_, start, progress_);
-    const double distance = distanceOf(added, fitted);
-    if (distance < guess.distance) guess = {guess.first, guess.second, joined(fixed, fitted), distance};
-  });
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) { guesses[g] = fitted(guesses[g], false); });
   return guesses;
 }
 

@@ -64,6 +64,7 @@ class PairGuesses {
                                                 std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
                                                    const std::vector<Atom>& atoms) const;
+  [[nodiscard]] Guess fitted(const Guess& guess, bool along_its_line) const;
   [[nodiscard]] std::vector<Guess> searchedOnLines(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const;
