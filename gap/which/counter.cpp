@@ -40,7 +40,8 @@ std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, 
   leadByEffects(quick, exact, pairs);
   const double alone = std::min(1.0, best.explained), both = std::min(1.0, pairs.front().explained);
   const bool leaves_more = pairs.front().total_left > std::max(kMostRestOfPair, best.total_left);
-  return both < alone - kHarmedCells || leaves_more ? std::vector<Candidate>{} : pairs;
+  return both < alone - std::max(kHarmedCells, exact.yardstick.noiseOfShare()) || leaves_more ? std::vector<Candidate>{}
+                                                                                              : pairs;
 }
 
 bool earnsBesideTheCounter(const Judge& exact, const Candidate& pair) {
