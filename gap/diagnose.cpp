@@ -114,11 +114,14 @@ AsRun asRun(const model::Experiment& experiment, const model::LidarModel& model,
 }
 
 /// What moves whole frames is no cause's doing: where it is most of the gap, none is named, whatever scatters as much;
-/// nor is one that accounts for so little that it was named only because nothing else seemed to be left.
+/// nor is one that accounts for so little that it was named only because nothing else seemed to be left, or for the
+/// mean of what the frames do.
 void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Decision& decision) {
   if (!decision.winner || !frames) return;
   const bool convincing = judge.accountedFor(*decision.winner) >= kConvincing;
-  if (convincing && frames->share_of_gap < kMostOfTheGap) return;
+  if (convincing && frames->share_of_gap < kMostOfTheGap &&
+      !explainsTheirMean(judge, *frames, winnersWorld(judge.replay, decision)))
+    return;
   decision.nameNothing();
   decision.frames_move = true;
 }

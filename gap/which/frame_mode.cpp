@@ -13,11 +13,13 @@ constexpr std::vector<double> core::Detections::*kValues[] = {&core::Detections:
                                                               &core::Detections::intensity};
 
 constexpr double kRounding = 1e-3;  // of the resolution: values that scatter less are one, and rounding
+constexpr double kGoodPart = 0.25;  // of what a cause moves
 constexpr double kStandsOut = 6.0;  // standard deviations: a right model of any kind gives three at most
 
 /// Deviation of every frame from the others: mean over its detections of what each deviates from its cell's mean.
 struct Deviations {
   std::map<std::int32_t, double> deviation;
+  std::map<std::int32_t, double> weight;  ///< of each: one over its square error
   double excess = 0.0;    ///< of the squares of the frames' deviations over what independent detections give, which
   double expected = 0.0;  ///< has this mean: the number of frames but one
   double variance = 0.0;  ///< of the common deviation
@@ -55,17 +57,49 @@ Deviations deviationsOf(const ReplaySample& sample, const core::Detections& dete
   for (const auto& [frame, sums] : of_frame) {
     const double mean = sums.sum / sums.count;
     frames.deviation[frame] = mean;
+    frames.weight[frame] = sums.count / variance;
     frames.excess += sums.count * mean * mean / variance;
     frames.variance += std::max(0.0, mean * mean - variance / sums.count) / frames.expected;
   }
   return frames;
 }
 
+/// Frames of one number, all samples together.
+struct Alike {
+  double z = 0.0;
+  double span = 0.0;  ///< from the least to the largest deviation
+};
+
+Alike alikeIn(const std::vector<Deviations>& samples) {
+  std::map<std::int32_t, std::pair<double, double>> sums;  // of the weights, and of the weighted deviations
+  for (const Deviations& frames : samples) {
+    for (const auto& [frame, deviation] : frames.deviation) {
+      const double weight = frames.weight.at(frame);
+      sums[frame].first += weight;
+      sums[frame].second += weight * deviation;
+    }
+  }
+  Alike alike;
+  if (sums.size() < 2) return alike;
+  const double expected = static_cast<double>(sums.size()) - 1.0;
+  double squares = 0.0, least = 0.0, largest = 0.0;
+  for (const auto& [frame, sum] : sums) {
+    const double deviation = sum.second / sum.first;
+    squares += sum.second * deviation;
+    least = std::min(least, deviation);
+    largest = std::max(largest, deviation);
+  }
+  alike.span = largest - least;
+  alike.z = (squares - expected) / std::sqrt(2.0 * expected);
+  return alike;
+}
+
 /// All samples in one channel: nothing is fitted to them here, so those that are held out tell no more than others.
 struct Seen {
   std::vector<Deviations> measured;  ///< by sample
-  double z = 0.0;
+  double z = 0.0;                    ///< of each sample by itself, or of what they have in common
   double stddev = 0.0;
+  double span_in_all_samples = 0.0;
 };
 
 double zOf(const std::vector<Deviations>& samples) {
@@ -85,7 +119,9 @@ Seen seenIn(const Replay& replay, Channel channel) {
     seen.stddev += seen.measured.back().variance / static_cast<double>(replay.samples().size());
   }
   seen.stddev = std::sqrt(seen.stddev);
-  seen.z = zOf(seen.measured);
+  const Alike alike = alikeIn(seen.measured);
+  seen.z = std::max(zOf(seen.measured), alike.z);
+  if (alike.z >= kStandsOut) seen.span_in_all_samples = alike.span;
   return seen;
 }
 
@@ -99,7 +135,7 @@ bool isOfTheBaseline(const Replay& replay, Channel channel) {
     simulated.push_back(
         deviationsOf(sample, baseline, beam_of, baseline.*kValues[channel], replay.resolution(channel)));
   }
-  return zOf(simulated) >= kStandsOut;
+  return std::max(zOf(simulated), alikeIn(simulated).z) >= kStandsOut;
 }
 
 /// Discrepancy of the baseline to a measurement from which the common deviation of every frame was taken out.
@@ -120,7 +156,34 @@ double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel)
   return discrepancyTo(replay, replay.baseline(), held_out, corrected);
 }
 
+/// By how much a world differs from the baseline in the means of a channel: root mean square over the cells. [m, m, nW]
+double shiftOf(const Replay& replay, const Evidence& evidence, const World& world, Channel channel) {
+  double squares = 0.0, count = 0.0;
+  for (const std::size_t s : evidence.samples) {
+    const int frames = std::min(replay.samples()[s].frames, evidence.most_frames);
+    const auto with = replay.simulate(world, s, frames, evidence.seed);
+    const auto without = replay.simulate(replay.baseline(), s, frames, evidence.seed);
+    for (std::size_t c = 0; c < replay.samples()[s].layout->surfaces(); ++c) {
+      if (with[c].count < 1.0 || without[c].count < 1.0) continue;
+      squares += std::pow(with[c].mean(channel) - without[c].mean(channel), 2.0);
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
 }  // namespace
+
+bool explainsTheirMean(const Judge& judge, const FrameMode& frames, const World& with_cause) {
+  const Replay& replay = judge.replay;
+  const auto steps = [&](Channel channel) {
+    return shiftOf(replay, judge.split.held_out, with_cause, channel) / replay.resolution(channel);
+  };
+  const double own = steps(frames.channel);
+  for (const Channel channel : replay.channels())
+    if (channel != frames.channel && steps(channel) > own) return false;
+  return frames.span_in_all_samples > kGoodPart * own * replay.resolution(frames.channel);
+}
 
 std::optional<FrameMode> frameModeOf(const Judge& judge) {
   const Replay& replay = judge.replay;
@@ -133,6 +196,7 @@ std::optional<FrameMode> frameModeOf(const Judge& judge) {
     mode.channel = channel;
     mode.z = seen.z;
     mode.stddev = seen.stddev;
+    mode.span_in_all_samples = seen.span_in_all_samples;
     most = std::move(seen);
   }
   if (mode.z < kStandsOut) return std::nullopt;
