@@ -41,4 +41,22 @@ TEST(SecondCause, NeedsNoLeastGainWhereItTakesNearlyAllThatAGiantLeaves) {
   EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, pair));
 }
 
+// Rare echoes show in no cell, but all of them together in the total gap.
+TEST(SecondCause, IsLookedForWhereAFifthOfTheTotalGapIsLeftThoughNoCellShowsIt) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.03}}}}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Split split = gap::splitOf(replay, 1);
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  gap::Candidate right{
+      .hypothesis = test_support::hypothesisNamed(gap::hypothesesFor(replay, {"range-offset"}), "range-offset"),
+      .values = {0.03}};
+  judge.hear(right);
+  ASSERT_LT(gap::restOf(judge, right), gap::kNoRest);
+  right.total_left = 0.25;
+  EXPECT_TRUE(gap::roomForASecond(judge, right));
+  right.total_left = 0.1;
+  EXPECT_FALSE(gap::roomForASecond(judge, right));
+}
+
 }  // namespace
