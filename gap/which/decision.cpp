@@ -70,6 +70,16 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   sortByMerit(singles);
 }
 
+/// Puts a cause before all others, in place of the same one with other values, if it is better than the best of them.
+void takeTheLead(Candidate candidate, std::vector<Candidate>& singles) {
+  if (!better(candidate, singles.front())) return;
+  const auto same = std::find_if(singles.begin(), singles.end(), [&](const Candidate& single) {
+    return formOf(single.hypothesis) == formOf(candidate.hypothesis);
+  });
+  *same = std::move(candidate);
+  std::rotate(singles.begin(), same, same + 1);
+}
+
 /// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
 /// leave.
 bool nothingElse(const Significance& significance, std::size_t causes) {
@@ -202,6 +212,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   exchangeMembers(quick, exact, gaps, decision.singles, pairs, progress);
   leadByAll(quick, exact, pairs, addedBySecond(decision.singles.front(), pairs));
   leadByEffects(quick, exact, pairs);
+  takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
   if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
       !earnsItsSecond(quick, exact, best, pair))

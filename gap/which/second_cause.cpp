@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/far/how_far.h"
 #include "gap/which/significance.h"
 
 namespace gap {
@@ -89,6 +90,16 @@ bool roomForASecond(const Judge& judge, const Candidate& best) {
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
   if (material && (left.total > kPooledRest || left.discrepancy > 3.0 * judge.yardstick.noiseOfShare())) return true;
   return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
+}
+
+Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair) {
+  std::vector<Candidate> members = membersOf(pair);
+  for (Candidate& member : members) {
+    member.total_left = gaps.leftIn(worldOf(exact.replay, member.hypothesis, member.values));
+    exact.hear(member);
+  }
+  sortByMerit(members);
+  return members.front();
 }
 
 bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {

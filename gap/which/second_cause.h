@@ -15,6 +15,10 @@ inline constexpr double kMostRestOfPair = 0.5;
 /// all data are pooled.
 [[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best);
 
+/// The member of a pair that is better alone, with the values that it has there, by all beams: what few beams show (two
+/// echoes that merge in one column) may have been found beside another cause only.
+[[nodiscard]] Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair);
+
 /// Whether a pair is nearer to the data than the best single cause by more than luck, and by so much, or so little
 /// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
 /// docs/diagnosis.md gives the reasons for the bounds.

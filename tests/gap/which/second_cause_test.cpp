@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gap/far/how_far.h"
 #include "gap/which/partners.h"
 #include "gap/which/significance.h"
 #include "tests/gap/hypothesis_named.h"
@@ -41,22 +42,39 @@ TEST(SecondCause, NeedsNoLeastGainWhereItTakesNearlyAllThatAGiantLeaves) {
   EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, pair));
 }
 
+/// An offset of 30 mm is all that is missing.
+class MissingOffset : public testing::Test {
+ protected:
+  [[nodiscard]] gap::Candidate candidate(const std::string& name, double value) const {
+    return {.hypothesis = test_support::hypothesisNamed(hypotheses_, name), .values = {value}};
+  }
+
+  SmallWorld world_;
+  model::Experiment measured_ = world_.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.03}}}}), 0.4);
+  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
+  gap::Split split_ = gap::splitOf(replay_, 1);
+  gap::Judge judge_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
+  std::vector<gap::Hypothesis> hypotheses_ = gap::hypothesesFor(replay_, {"echo-merging", "range-offset"});
+};
+
 // Rare echoes show in no cell, but all of them together in the total gap.
-TEST(SecondCause, IsLookedForWhereAFifthOfTheTotalGapIsLeftThoughNoCellShowsIt) {
-  const SmallWorld world;
-  const auto measured = world.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.03}}}}), 0.4);
-  const gap::Replay replay(measured, SmallWorld::modelWith({}));
-  const gap::Split split = gap::splitOf(replay, 1);
-  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
-  gap::Candidate right{
-      .hypothesis = test_support::hypothesisNamed(gap::hypothesesFor(replay, {"range-offset"}), "range-offset"),
-      .values = {0.03}};
-  judge.hear(right);
-  ASSERT_LT(gap::restOf(judge, right), gap::kNoRest);
+TEST_F(MissingOffset, LeavesRoomForASecondCauseOnlyWhereAFifthOfTheTotalGapIsLeft) {
+  gap::Candidate right = candidate("range-offset", 0.03);
+  judge_.hear(right);
+  ASSERT_LT(gap::restOf(judge_, right), gap::kNoRest);
   right.total_left = 0.25;
-  EXPECT_TRUE(gap::roomForASecond(judge, right));
+  EXPECT_TRUE(gap::roomForASecond(judge_, right));
   right.total_left = 0.1;
-  EXPECT_FALSE(gap::roomForASecond(judge, right));
+  EXPECT_FALSE(gap::roomForASecond(judge_, right));
+}
+
+TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
+  const gap::HeldOutGaps gaps(replay_, split_.held_out.samples, 1);
+  const gap::Candidate pair = gap::pairOf(candidate("echo-merging", 1.0), candidate("range-offset", 0.03));
+  const gap::Candidate member = gap::betterMember(judge_, gaps, pair);
+  EXPECT_EQ(member.hypothesis.name, "range-offset");
+  EXPECT_GT(member.explained, 0.9);
+  EXPECT_LT(member.total_left, 0.1);
 }
 
 }  // namespace
