@@ -100,4 +100,19 @@ TEST_F(Frames, ThatDriftAreNoConstantOffset) {
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
 }
 
+// A constant offset of 0.2 m is named, if with less confidence, where frames deviate by a hundredth of that.
+TEST_F(Frames, ThatDeviateByLittleDoNotTakeALargeOffsetAway) {
+  model::Experiment experiment = alternating(0.002);
+  for (const model::Sample& sample : experiment.samples) {
+    core::Detections detections = model::readMeasurements(experiment, sample);
+    for (double& range_m : detections.range_m) range_m += 0.2;
+    core::writeDetections(sample.measurements, detections);
+  }
+  core::SilentProgress progress;
+  const gap::Diagnosis diagnosis = gap::diagnose(experiment, model_, {}, progress);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"range-offset"});
+  EXPECT_LE(diagnosis.verdict.confidence, 0.5);
+  EXPECT_THAT(diagnosis.notes, testing::Contains(testing::HasSubstr("All detections of a frame deviate together")));
+}
+
 }  // namespace
