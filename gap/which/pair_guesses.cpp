@@ -232,7 +232,10 @@ Guess PairGuesses::fitted(const Guess& guess, bool along_its_line) const {
   const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
   const Objective objective(scout_, added, scouted_, progress_);
   if (objective.tracesAnew(objective.unitOf(start))) return guess;
-  if (along_its_line) start = scout(scout_, added, scouted_, {start}, progress_).values;
+  if (along_its_line) {
+    start = scout(scout_, added, scouted_, {start}, progress_).values;
+    if (distanceOf(added, start) >= guess.distance) return guess;  // the line leads nowhere
+  }
   const std::vector<double> found = roughFitFrom(scout_, added, scouted_, start, progress_);
   const double distance = distanceOf(added, found);
   return distance < guess.distance ? Guess{guess.first, guess.second, joined(fixed, found), distance} : guess;
