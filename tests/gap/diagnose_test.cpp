@@ -318,7 +318,7 @@ TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
   recalibrated["/sensor/emitter/peak_power_w"] = 49.0;
   const gap::Diagnosis diagnosis =
       diagnosed(experiment, SmallWorld::modelWith({}, recalibrated), {"aperture-offset", "atmospheric-attenuation"});
-  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
+  ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
   EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.054, 0.001);
   EXPECT_TRUE(diagnosis.weak_hold_out);
 }
