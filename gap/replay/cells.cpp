@@ -66,7 +66,6 @@ double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
 std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
   constexpr std::int32_t kNone = -1, kMixed = -2;
-  constexpr double kWhole = 0.999;
   double weight = 0.0;
   std::int32_t object = kNone;
   for (const model::Hit& hit : of_beam) {
@@ -74,7 +73,7 @@ std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& 
     object = hit.object;
     weight += rays.weight[hit.ray];
   }
-  return object == kNone || weight > kWhole ? object : kMixed;
+  return object == kNone || weight > kWholeBeam ? object : kMixed;
 }
 
 /// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.

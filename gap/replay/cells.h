@@ -20,6 +20,8 @@ enum Channel : std::size_t { kRange, kEpw, kIntensity, kChannels };
 
 /// Of a beam: which part of it meets a surface is known no better; sub-ray grids of two programs agree no better.
 constexpr double kShareError = 0.004;
+/// Of a beam: a surface that meets so much of it is cut by no edge.
+constexpr double kWholeBeam = 0.999;
 
 /// Where measured and simulated detections are paired: one surface seen by one beam of one sample. The frames of a
 /// sample are repetitions of a cell. What the simulation knows of it comes from the baseline's geometry.

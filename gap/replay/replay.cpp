@@ -116,10 +116,9 @@ std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
 
 /// Where an edge cuts a beam the sub-rays decide: a hundredth of a beam beyond an edge is known to 0.4 of itself.
 void addShareErrors(ReplaySample& sample) {
-  constexpr double kWhole = 0.999;
   for (std::size_t c = 0; c < sample.power_deviation.size(); ++c) {
     const double share = sample.layout->cells()[c].share;
-    if (share < kWhole) sample.power_deviation[c] = std::hypot(sample.power_deviation[c], kShareError / share);
+    if (share < kWholeBeam) sample.power_deviation[c] = std::hypot(sample.power_deviation[c], kShareError / share);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "gap/which/frame_mode.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -156,32 +157,36 @@ double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel)
   return discrepancyTo(replay, replay.baseline(), held_out, corrected);
 }
 
-/// By how much a world differs from the baseline in the means of a channel: root mean square over the cells. [m, m, nW]
-double shiftOf(const Replay& replay, const Evidence& evidence, const World& world, Channel channel) {
-  double squares = 0.0, count = 0.0;
+/// By how much a world differs from the baseline in the means of every channel: root mean square over the cells, in
+/// steps of the sensor's output.
+std::array<double, kChannels> shiftsOf(const Replay& replay, const Evidence& evidence, const World& world) {
+  std::array<double, kChannels> shifts{};
+  double count = 0.0;
   for (const std::size_t s : evidence.samples) {
     const int frames = std::min(replay.samples()[s].frames, evidence.most_frames);
     const auto with = replay.simulate(world, s, frames, evidence.seed);
     const auto without = replay.simulate(replay.baseline(), s, frames, evidence.seed);
     for (std::size_t c = 0; c < replay.samples()[s].layout->surfaces(); ++c) {
       if (with[c].count < 1.0 || without[c].count < 1.0) continue;
-      squares += std::pow(with[c].mean(channel) - without[c].mean(channel), 2.0);
+      for (const Channel channel : replay.channels())
+        shifts[channel] += std::pow(with[c].mean(channel) - without[c].mean(channel), 2.0);
       count += 1.0;
     }
   }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  for (const Channel channel : replay.channels())
+    shifts[channel] = count > 0.0 ? std::sqrt(shifts[channel] / count) / replay.resolution(channel) : 0.0;
+  return shifts;
 }
 
 }  // namespace
 
 bool explainsTheirMean(const Judge& judge, const FrameMode& frames, const World& with_cause) {
   const Replay& replay = judge.replay;
-  const auto steps = [&](Channel channel) {
-    return shiftOf(replay, judge.split.held_out, with_cause, channel) / replay.resolution(channel);
-  };
-  const double own = steps(frames.channel);
-  for (const Channel channel : replay.channels())
-    if (channel != frames.channel && steps(channel) > own) return false;
+  const auto steps = shiftsOf(replay, judge.split.held_out, with_cause);
+  const double own = steps[frames.channel];
+  const auto& channels = replay.channels();
+  if (std::any_of(channels.begin(), channels.end(), [&](Channel channel) { return steps[channel] > own; }))
+    return false;
   return frames.span_in_all_samples > kGoodPart * own * replay.resolution(frames.channel);
 }
 

@@ -305,8 +305,7 @@ TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
 
 // A calibration that is off by two per cent is in all samples; what it was made up for, in the nearest, held-out one.
 TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
-  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
-                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  const auto narrow = SmallWorld::narrowView();
   const SmallWorld world;
   model::Experiment experiment =
       world.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.054}}}}, narrow), 0.4);

@@ -20,9 +20,10 @@ using test_support::SmallWorld;
 
 class Search : public testing::Test {
  protected:
-  void measure(const SmallWorld::Effects& truth, const std::map<std::string, double>& offset_m = {}) {
-    measured_ = world_.measuredBy(SmallWorld::modelWith(truth), 0.4, offset_m);
-    replay_.emplace(measured_, SmallWorld::modelWith({}));
+  void measure(const SmallWorld::Effects& truth, const std::map<std::string, double>& offset_m = {},
+               const std::map<std::string, double>& sensor = {}) {
+    measured_ = world_.measuredBy(SmallWorld::modelWith(truth, sensor), 0.4, offset_m);
+    replay_.emplace(measured_, SmallWorld::modelWith({}, sensor));
     split_ = gap::splitOf(*replay_, 1);
   }
   /// Nothing is missing but that the wall stands elsewhere in all samples.
@@ -60,11 +61,7 @@ TEST_F(Search, FindsAThresholdThatBeginsToActBetweenTwoStepsOfAnEvenSearch) {
 // A receiver that looks past the beam: 8 m away all light is lost from an offset of 58 mm on, and no larger one does
 // more, so that all of these seem equally good. The right one takes nearly all; a millimetre less leaves twice as much.
 TEST_F(Search, FindsANarrowDipBesideARangeInWhichAllIsLost) {
-  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
-                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
-  measured_ = world_.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0565}}}}, narrow), 0.4);
-  replay_.emplace(measured_, SmallWorld::modelWith({}, narrow));
-  split_ = gap::splitOf(*replay_, 1);
+  measure({{"aperture-offset", {{"offset_m", 0.0565}}}}, {}, SmallWorld::narrowView());
   const gap::Scouted found = scouted(effect("aperture-offset"));
   EXPECT_NEAR(found.values[0], 0.0565, 0.0005);
 }
@@ -72,11 +69,7 @@ TEST_F(Search, FindsANarrowDipBesideARangeInWhichAllIsLost) {
 // Up to an offset of 50 mm the receiver sees the whole beam 8 m away; half a millimetre more takes a little light, and
 // every step of an even search does either nothing or far too much.
 TEST_F(Search, FindsWhatACauseDoesFirstWhereItSoonDoesTooMuch) {
-  const std::map<std::string, double> narrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
-                                                {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
-  measured_ = world_.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.051}}}}, narrow), 0.4);
-  replay_.emplace(measured_, SmallWorld::modelWith({}, narrow));
-  split_ = gap::splitOf(*replay_, 1);
+  measure({{"aperture-offset", {{"offset_m", 0.051}}}}, {}, SmallWorld::narrowView());
   const gap::Scouted found = scouted(effect("aperture-offset"));
   EXPECT_NEAR(found.values[0], 0.051, 0.0002);
 }

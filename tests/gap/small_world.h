@@ -21,6 +21,12 @@ class SmallWorld {
   /// The model with these effects beside beam divergence; other `sensor` values by JSON Pointer.
   [[nodiscard]] static model::LidarModel modelWith(const Effects& effects,
                                                    const std::map<std::string, double>& sensor = {});
+  /// Of a sensor that looks hardly past its beam: 8 m away it sees the whole beam up to an aperture offset of 50 mm,
+  /// and nothing of it from 58 mm on.
+  [[nodiscard]] static std::map<std::string, double> narrowView() {
+    return {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
+            {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  }
   /// The package as recorded: measured by `truth` in a world in which the wall stands `offset_m` farther than recorded
   /// (per sample, 0 if absent) and has `true_reflectivity`.
   [[nodiscard]] model::Experiment measuredBy(const model::LidarModel& truth, double true_reflectivity,

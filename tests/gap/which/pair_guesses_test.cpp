@@ -11,59 +11,60 @@ namespace {
 
 using test_support::SmallWorld;
 
-/// All causes as they are usual, best first: the one of this name, and those of the other one last.
-std::vector<gap::Candidate> inOrder(const gap::Replay& replay, const std::string& first, const std::string& last) {
-  std::vector<gap::Candidate> singles;
-  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {})) {
-    std::vector<double> values;
-    for (const gap::FreeParameter& parameter : hypothesis.parameters) values.push_back(parameter.start);
-    singles.push_back({.hypothesis = hypothesis, .values = values});
+/// A measurement, the causes that may explain it as they are usual, and what pairs are guessed of them.
+class GuessedPairs {
+ public:
+  /// The world lives longer. Of the causes, which are best first, the one of the first name leads, and those of the
+  /// other come last.
+  GuessedPairs(const SmallWorld& world, const SmallWorld::Effects& truth, const std::string& first,
+               const std::string& last, const std::map<std::string, double>& sensor = {})
+      : measured_(world.measuredBy(SmallWorld::modelWith(truth, sensor), 0.4)),
+        replay_(measured_, SmallWorld::modelWith({}, sensor)) {
+    for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay_, {})) {
+      std::vector<double> values;
+      for (const gap::FreeParameter& parameter : hypothesis.parameters) values.push_back(parameter.start);
+      singles_.push_back({.hypothesis = hypothesis, .values = values});
+    }
+    const auto is = [](const std::string& name) {
+      return [name](const gap::Candidate& c) { return c.hypothesis.name == name; };
+    };
+    std::stable_partition(singles_.begin(), singles_.end(), is(first));
+    std::stable_partition(singles_.begin(), singles_.end(), std::not_fn(is(last)));
   }
-  const auto is = [](const std::string& name) {
-    return [name](const gap::Candidate& c) { return c.hypothesis.name == name; };
-  };
-  std::stable_partition(singles.begin(), singles.end(), is(first));
-  std::stable_partition(singles.begin(), singles.end(), std::not_fn(is(last)));
-  return singles;
-}
 
-const std::map<std::string, double> kNarrow = {{"/sensor/receiver/field_of_view_rad/horizontal", 0.012},
-                                               {"/sensor/receiver/field_of_view_rad/vertical", 0.012}};
+  [[nodiscard]] gap::PairGuesses guesses() const { return {judge_, singles_, progress_}; }
+  [[nodiscard]] const std::string& nameOf(std::size_t single) const { return singles_[single].hypothesis.name; }
+
+ private:
+  model::Experiment measured_;
+  gap::Replay replay_;
+  gap::Split split_ = gap::splitOf(replay_, 1);
+  gap::Judge judge_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
+  std::vector<gap::Candidate> singles_;
+  core::SilentProgress progress_;
+};
 
 // Fog of this density makes an echo of its own in front of every wall, unless the receiver looks past its near field:
 // alone it is far from the measurement.
 TEST(PairGuesses, HoldACauseThatTheOtherOneHides) {
   const SmallWorld world;
-  const auto truth = SmallWorld::modelWith(
-      {{"aperture-offset", {{"offset_m", 0.045}}}, {"atmospheric-backscatter", {{"visibility_m", 300}}}}, kNarrow);
-  const model::Experiment experiment = world.measuredBy(truth, 0.4);
-  const gap::Replay replay(experiment, SmallWorld::modelWith({}, kNarrow));
-  const gap::Split split = gap::splitOf(replay, 1);
-  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
-  const auto singles = inOrder(replay, "aperture-offset", "atmospheric-backscatter");
-  const core::SilentProgress progress;
-  const auto guesses =
-      gap::PairGuesses(judge, singles, progress).partnersOf(0, {0.045}, gap::PairGuesses::Look::kBriefly);
+  const GuessedPairs pairs(
+      world, {{"aperture-offset", {{"offset_m", 0.045}}}, {"atmospheric-backscatter", {{"visibility_m", 300}}}},
+      "aperture-offset", "atmospheric-backscatter", SmallWorld::narrowView());
+  const auto guesses = pairs.guesses().partnersOf(0, {0.045}, gap::PairGuesses::Look::kBriefly);
   ASSERT_FALSE(guesses.empty());
-  EXPECT_EQ(singles[guesses.front().second].hypothesis.name, "atmospheric-backscatter");
+  EXPECT_EQ(pairs.nameOf(guesses.front().second), "atmospheric-backscatter");
   EXPECT_NEAR(guesses.front().values.back(), 300.0, 60.0);
 }
 
 // 8 m away an offset of 56.5 mm takes nearly all light; two millimetres more take all, two less half as much.
 TEST(PairGuesses, HoldACauseOfANumberBetweenThePlacesThatAreLookedAt) {
   const SmallWorld world;
-  const auto truth = SmallWorld::modelWith(
-      {{"aperture-offset", {{"offset_m", 0.0565}}}, {"range-offset", {{"offset_m", 0.05}}}}, kNarrow);
-  const model::Experiment experiment = world.measuredBy(truth, 0.4);
-  const gap::Replay replay(experiment, SmallWorld::modelWith({}, kNarrow));
-  const gap::Split split = gap::splitOf(replay, 1);
-  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
-  const auto singles = inOrder(replay, "range-offset", "aperture-offset");
-  const core::SilentProgress progress;
-  const auto partners =
-      gap::PairGuesses(judge, singles, progress).partnersOf(0, {0.05}, gap::PairGuesses::Look::kClosely);
+  const GuessedPairs pairs(world, {{"aperture-offset", {{"offset_m", 0.0565}}}, {"range-offset", {{"offset_m", 0.05}}}},
+                           "range-offset", "aperture-offset", SmallWorld::narrowView());
+  const auto partners = pairs.guesses().partnersOf(0, {0.05}, gap::PairGuesses::Look::kClosely);
   const auto aperture = std::find_if(partners.begin(), partners.end(), [&](const gap::Guess& guess) {
-    return singles[guess.second].hypothesis.name == "aperture-offset";
+    return pairs.nameOf(guess.second) == "aperture-offset";
   });
   ASSERT_NE(aperture, partners.end());
   EXPECT_NEAR(aperture->values.back(), 0.0565, 0.0005);
@@ -74,18 +75,12 @@ TEST(PairGuesses, HoldACauseOfANumberBetweenThePlacesThatAreLookedAt) {
 TEST(PairGuesses, HoldTwoEffectsOfWhichOneDoesNothingWithoutTheOther) {
   SmallWorld world;
   world.behindAPane(4.0);
-  const auto truth =
-      SmallWorld::modelWith({{"transmission", {{"transmission", 0.6}}}, {"echo-merging", {{"separation_m", 9.5}}}});
-  const model::Experiment experiment = world.measuredBy(truth, 0.4);
-  const gap::Replay replay(experiment, SmallWorld::modelWith({}));
-  const gap::Split split = gap::splitOf(replay, 1);
-  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
-  const auto singles = inOrder(replay, "range-offset", "transmission");
-  const core::SilentProgress progress;
-  const auto guesses = gap::PairGuesses(judge, singles, progress).nearestOfEveryTwo();
+  const GuessedPairs pairs(world,
+                           {{"transmission", {{"transmission", 0.6}}}, {"echo-merging", {{"separation_m", 9.5}}}},
+                           "range-offset", "transmission");
+  const auto guesses = pairs.guesses().nearestOfEveryTwo();
   ASSERT_FALSE(guesses.empty());
-  const auto& [first, second, values, distance] = guesses.front();
-  EXPECT_THAT((std::vector{singles[first].hypothesis.name, singles[second].hypothesis.name}),
+  EXPECT_THAT((std::vector{pairs.nameOf(guesses.front().first), pairs.nameOf(guesses.front().second)}),
               testing::UnorderedElementsAre("echo-merging", "transmission"));
 }
 
