@@ -14,8 +14,13 @@ namespace model {
 namespace {
 
 constexpr double kFourLn2 = 4.0 * std::numbers::ln2;
-constexpr double kSamplesPerWidth = 16.0;
+constexpr double kSamplesPerWidth = 10.0;
+constexpr double kSamplesPerMeasuredWidth = 16.0;  // its corners are no curve that a polynomial follows
 constexpr int kLanes = 8;
+/// Of the lowest level, down to which a pulse's tail is followed: cut earlier, its missing slope moves a neighbour's
+/// peak.
+constexpr double kTail = 0.01;
+constexpr double kLogOfNothing = -700.0;
 constexpr double kBinsPerWidth = 100.0;  // merging pulses within a bin changes the variance by less than 1e-5
 
 /// How far from its peak one pulse that holds all the power is above `level_w`: nothing reaches farther.
@@ -64,6 +69,62 @@ void runsAbove(double level, const std::vector<double>& signal, std::size_t firs
   }
 }
 
+/// Of every pulse, the most that it and those on one side of it make at its place: exp(-a (x + y)²) is at most
+/// exp(-a x²) exp(-a y²), so a pulse may hand on what it was handed.
+std::vector<double> highestFromOneSide(std::span<const Pulse> pulses, std::span<const double> handed_on,
+                                       bool from_left) {
+  std::vector<double> highest(pulses.size());
+  double before_w = 0.0;
+  for (std::size_t k = 0; k < pulses.size(); ++k) {
+    const std::size_t i = from_left ? k : pulses.size() - 1 - k;
+    before_w = pulses[i].power_w + before_w * (k == 0 ? 0.0 : handed_on[from_left ? i - 1 : i]);
+    highest[i] = before_w;
+  }
+  return highest;
+}
+
+/// Whether anything between a pulse and the next one may be above the lowest level. A fog's tail is long and silent.
+std::vector<bool> audibleBetween(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w) {
+  const double a = kFourLn2 / (form.fwhm_m * form.fwhm_m);
+  std::vector<double> handed_on;
+  for (std::size_t i = 0; i + 1 < pulses.size(); ++i) {
+    const double apart_m = pulses[i + 1].range_m - pulses[i].range_m;
+    handed_on.push_back(std::exp(-a * apart_m * apart_m));
+  }
+  const std::vector<double> left_w = highestFromOneSide(pulses, handed_on, true);
+  const std::vector<double> right_w = highestFromOneSide(pulses, handed_on, false);
+  std::vector<bool> audible;
+  for (std::size_t i = 0; i + 1 < pulses.size(); ++i) audible.push_back(left_w[i] + right_w[i + 1] > lowest_level_w);
+  return audible;
+}
+
+/// Of pulses that follow each other closely, the stretches in which they may be heard, each with the pulses that reach
+/// into it.
+std::vector<PartOfPulses> audibleParts(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w) {
+  double total_w = 0.0;
+  for (const Pulse& pulse : pulses) total_w += pulse.power_w;
+  if (total_w <= lowest_level_w) return {};
+  const double reach_m = reachOf(total_w, lowest_level_w, form);
+  const double tail_m = reachOf(total_w, kTail * lowest_level_w, form);
+  const double front_m = pulses.front().range_m - reach_m, back_m = pulses.back().range_m + reach_m;
+  if (pulses.size() == 1 || !form.shape.isGaussian()) return {{pulses, front_m, back_m, tail_m}};
+  const std::vector<bool> audible = audibleBetween(pulses, form, lowest_level_w);
+  const auto rangeAt = [&](auto gap) { return pulses[static_cast<std::size_t>(gap - audible.begin())].range_m; };
+  std::vector<PartOfPulses> parts;
+  for (auto first = std::find(audible.begin(), audible.end(), true); first != audible.end();) {
+    const auto last = std::find(first, audible.end(), false);
+    const double from_m = first == audible.begin() ? front_m : rangeAt(first);
+    const double to_m = last == audible.end() ? back_m : rangeAt(last);
+    const auto begin = std::partition_point(pulses.begin(), pulses.end(),
+                                            [&](const Pulse& pulse) { return pulse.range_m < from_m - tail_m; });
+    const auto end =
+        std::partition_point(begin, pulses.end(), [&](const Pulse& pulse) { return pulse.range_m <= to_m + tail_m; });
+    parts.push_back({{begin, end}, from_m, to_m, tail_m});
+    first = std::find(last, audible.end(), true);
+  }
+  return parts;
+}
+
 using Lanes = std::array<double, kLanes>;
 
 /// Adds `value` to blocks of kLanes samples, one block after the other, growing by `factor`, and that by `second`.
@@ -95,26 +156,21 @@ FIDELIS_FOR_EVERY_PROCESSOR void addBlocks(double* __restrict sample, std::ptrdi
 
 }  // namespace
 
-WaveformPart::WaveformPart(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w)
+WaveformPart::WaveformPart(const PartOfPulses& part, const PulseForm& form, double lowest_level_w)
     : form_(form), lowest_level_w_(lowest_level_w) {
-  if (pulses.size() == 1) {
-    lone_ = pulses.front();
+  if (part.pulses.size() == 1) {
+    lone_ = part.pulses.front();
     highest_w_ = lone_.power_w;
     return;
   }
-  double total_w = 0.0;
-  for (const Pulse& pulse : pulses) total_w += pulse.power_w;
-  step_m_ = form.fwhm_m / kSamplesPerWidth;
-  const double reach = reachOf(total_w, lowest_level_w, form) + 2.0 * step_m_;
-  start_m_ = pulses.front().range_m - reach;
-  const auto samples = static_cast<std::size_t>((pulses.back().range_m + reach - start_m_) / step_m_) + 2;
+  step_m_ = form.fwhm_m / (form.shape.isGaussian() ? kSamplesPerWidth : kSamplesPerMeasuredWidth);
+  start_m_ = part.from_m - 2.0 * step_m_;
+  const auto samples = static_cast<std::size_t>((part.to_m - start_m_) / step_m_ + 2.0) + 2;
   signal_.resize(samples, 0.0);
   if (form.shape.isGaussian()) {
-    // A tail is followed down to a hundredth of the lowest level: cut earlier, its missing slope moves a neighbour's
-    // peak.
-    addGaussians(pulses, reachOf(total_w, 0.01 * lowest_level_w, form));
+    addGaussians(part.pulses, part.tail_m);
   } else {
-    addMeasured(pulses);
+    addMeasured(part.pulses);
   }
   runsAbove(lowest_level_w_, signal_, 0, signal_.size(),
             [&](std::size_t begin, std::size_t end) { audible_.emplace_back(begin, end); });
@@ -128,7 +184,6 @@ std::size_t WaveformPart::highestSample() const {
 }
 
 double WaveformPart::logAt(std::size_t sample) const {
-  constexpr double kLogOfNothing = -700.0;
   return signal_[sample] > 0.0 ? std::log(signal_[sample]) : kLogOfNothing;
 }
 
@@ -145,6 +200,7 @@ void WaveformPart::addGaussians(std::span<const Pulse> pulses, double cut_m) {
   for (const Pulse& pulse : pulses) {
     const auto centre = static_cast<std::ptrdiff_t>((pulse.range_m - start_m_) / step_m_);
     const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, centre - cut), end = std::min(samples, centre + cut + 1);
+    if (begin >= end) continue;
     const double x_m = start_m_ + static_cast<double>(begin) * step_m_ - pulse.range_m;
     Lanes value{pulse.power_w * std::exp(-a * x_m * x_m)};
     double one_step = std::exp(-a * step_m_ * (2.0 * x_m + step_m_));
@@ -170,43 +226,64 @@ void WaveformPart::addMeasured(std::span<const Pulse> pulses) {
   }
 }
 
-/// Where the parabola through `below`, `above` and the next sample beyond `above` crosses the level.
+/// Where log s crosses the level between two samples, by the cubic through these and the next one on either side. The
+/// cubic is taken as its chord and what it is above that (Newton's form), and the crossing found as a fixed point.
 double WaveformPart::crossing(std::size_t below, std::size_t above, double log_level) const {
   const double y0 = logAt(below), y1 = logAt(above);
-  const double linear = (log_level - y0) / (y1 - y0);
-  const std::size_t beyond = above > below ? above + 1 : above - 1;  // wraps to a huge index at 0
-  double t = linear;
-  if (beyond < signal_.size()) {
-    // y(t) = y0 + b t + c t², t = 0 at `below`, 1 at `above`, 2 beyond.
-    const double c = (logAt(beyond) - 2.0 * y1 + y0) / 2.0;
-    const double b = y1 - y0 - c;
+  const bool forwards = above > below;
+  const std::size_t beyond = forwards ? above + 1 : above - 1, before = forwards ? below - 1 : below + 1;
+  double t = (log_level - y0) / (y1 - y0);
+  if (beyond < signal_.size() && before < signal_.size()) {  // an index before the first one wraps
+    const double y2 = logAt(beyond), y_1 = logAt(before);
+    const double second = 0.5 * (y2 - 2.0 * y1 + y0);
+    const double third = y_1 > kLogOfNothing ? (y2 - 3.0 * y1 + 3.0 * y0 - y_1) / 6.0 : 0.0;
     for (int i = 0; i < 4; ++i) {
-      const double slope = b + 2.0 * c * t;
+      // y(t) = y0 + t (y1 - y0) + t (t - 1) (second + third (t - 2)), t = -1, 0, 1, 2 at the four samples.
+      const double bend = second + third * (t - 2.0);
+      const double slope = y1 - y0 + (2.0 * t - 1.0) * bend + t * (t - 1.0) * third;
       if (slope <= 0.0) break;
-      t -= (y0 + b * t + c * t * t - log_level) / slope;
+      t -= (y0 + t * (y1 - y0) + t * (t - 1.0) * bend - log_level) / slope;
     }
     t = std::clamp(t, 0.0, 1.0);
   }
-  const double direction = above > below ? 1.0 : -1.0;
+  const double direction = forwards ? 1.0 : -1.0;
   return start_m_ + (static_cast<double>(below) + direction * t) * step_m_;
 }
 
-/// Peak of the samples [begin, end), with the vertex of the parabola of log s; crossings are left at zero.
+/// How far from a sample that is higher than its neighbours log s is highest, in steps, and how high: by the quartic
+/// through five samples, by Newton's method from the vertex of the parabola through three.
+std::pair<double, double> WaveformPart::summitAt(std::size_t top) const {
+  const double height = logAt(top);
+  if (top == 0 || top + 1 >= signal_.size()) return {0.0, height};
+  const double left = logAt(top - 1), right = logAt(top + 1);
+  // y(t) = height + slope t + curve t² + third t³ + fourth t⁴
+  double slope = 0.5 * (right - left), curve = 0.5 * (left - 2.0 * height + right), third = 0.0, fourth = 0.0;
+  if (curve >= 0.0) return {0.0, height};
+  double t = std::clamp(-0.5 * slope / curve, -0.5, 0.5);
+  if (top >= 2 && top + 2 < signal_.size()) {
+    const double far_left = logAt(top - 2), far_right = logAt(top + 2);
+    third = (far_right - far_left - 2.0 * (right - left)) / 12.0;
+    fourth = (far_right + far_left - 4.0 * (right + left) + 6.0 * height) / 24.0;
+    slope -= third;
+    curve -= fourth;
+    for (int i = 0; i < 3; ++i) {
+      const double bend = 2.0 * curve + t * (6.0 * third + 12.0 * fourth * t);
+      if (bend >= 0.0) break;
+      t = std::clamp(t - (slope + t * (2.0 * curve + t * (3.0 * third + 4.0 * fourth * t))) / bend, -1.0, 1.0);
+    }
+  }
+  return {t, height + t * (slope + t * (curve + t * (third + t * fourth)))};
+}
+
+/// The highest of the samples [begin, end), and where they cross the level; with a level of zero, crossings are left
+/// at zero.
 Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level_w) const {
   std::size_t top = begin;
   for (std::size_t i = begin; i < end; ++i) {
     if (signal_[i] > signal_[top]) top = i;
   }
+  const auto [shift, height] = summitAt(top);
   Stretch stretch;
-  double shift = 0.0, height = logAt(top);
-  if (top > 0 && top + 1 < signal_.size()) {
-    const double left = logAt(top - 1), right = logAt(top + 1);
-    const double curvature = left - 2.0 * height + right;
-    if (curvature < 0.0) {
-      shift = std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5);
-      height -= 0.25 * (left - right) * shift;
-    }
-  }
   stretch.peak_m = start_m_ + (static_cast<double>(top) + shift) * step_m_;
   stretch.peak_w = std::exp(height);
   if (level_w > 0.0) {
@@ -249,14 +326,13 @@ std::vector<WaveformPart> partsOf(std::vector<Pulse>& pulses, const PulseForm& f
   double total_w = 0.0;
   for (const Pulse& pulse : pulses) total_w += pulse.power_w;
   if (total_w <= lowest_level_w) return parts;
-  const double gap = 2.0 * reachOf(total_w, lowest_level_w, form);
+  const double gap_m = 2.0 * reachOf(total_w, lowest_level_w, form);
   for (std::size_t begin = 0; begin < pulses.size();) {
     std::size_t end = begin + 1;
-    double part_w = pulses[begin].power_w;
-    while (end < pulses.size() && pulses[end].range_m - pulses[end - 1].range_m <= gap) part_w += pulses[end++].power_w;
-    if (part_w > lowest_level_w) {
-      const std::span<const Pulse> all(pulses);
-      WaveformPart part(all.subspan(begin, end - begin), form, lowest_level_w);
+    while (end < pulses.size() && pulses[end].range_m - pulses[end - 1].range_m <= gap_m) ++end;
+    const std::span<const Pulse> group = std::span<const Pulse>(pulses).subspan(begin, end - begin);
+    for (const PartOfPulses& of_group : audibleParts(group, form, lowest_level_w)) {
+      WaveformPart part(of_group, form, lowest_level_w);
       if (part.peak_w() > lowest_level_w) parts.push_back(std::move(part));
     }
     begin = end;

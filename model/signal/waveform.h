@@ -23,15 +23,22 @@ struct PulseForm {
   PulseShape shape;     ///< Gaussian, or as it was measured
 };
 
+/// Pulses that make a part of a waveform.
+struct PartOfPulses {
+  std::span<const Pulse> pulses;    ///< in order of range; some may lie beside the part and reach into it
+  double from_m = 0.0, to_m = 0.0;  ///< outside it is silent
+  double tail_m = 0.0;              ///< how far a pulse reaches
+};
+
 /// A part of the received waveform s = Σ P_i g(r − r_i) that stands alone: outside it the signal is below the lowest
 /// level that anybody will ask for. g has unit peak.
 ///
-/// The signal is sampled so finely that the parabola through three neighbouring samples of log s, which is exact for
-/// one Gaussian, gives its crossings and peak to microns; those of sums to a millimetre where the level touches a
-/// saddle, and better elsewhere.
+/// The signal is sampled ten times per width: the cubic of log s through the four samples around a crossing and the
+/// quartic through five around a peak are exact for one Gaussian, and good to half a thousandth of the width for
+/// sums, unless the level touches a saddle.
 class WaveformPart {
  public:
-  WaveformPart(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w);
+  WaveformPart(const PartOfPulses& part, const PulseForm& form, double lowest_level_w);
 
   /// All stretches above `level_w`, in order of range; `level_w` must not be below the lowest level.
   void stretchesAbove(double level_w, std::vector<Stretch>& out) const;
@@ -46,6 +53,8 @@ class WaveformPart {
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
+  /// In steps from that sample, and log s.
+  [[nodiscard]] std::pair<double, double> summitAt(std::size_t top) const;
   [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
 
   Pulse lone_;  ///< the only pulse, if there is but one: it has a closed form and is not sampled

@@ -44,7 +44,7 @@ TEST(LonePulses, AgreeWithTheSampledWaveform) {
     // Two halves at the same place: the waveform sums them sample by sample.
     const std::vector<Pulse> halves{{20.0, power / 2}, {20.0, power / 2}};
     std::vector<Stretch> stretches;
-    WaveformPart(halves, {width_m, {}}, 0.1).stretchesAbove(1.0, stretches);
+    WaveformPart({halves, 10.0, 30.0, 10.0}, {width_m, {}}, 0.1).stretchesAbove(1.0, stretches);
     const auto echo = loneEcho({20.0, power}, settings.receiver, settings, 1.0, {});
     ASSERT_EQ(stretches.size(), 1U);
     ASSERT_TRUE(echo.has_value());
