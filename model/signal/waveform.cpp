@@ -69,32 +69,25 @@ void runsAbove(double level, const std::vector<double>& signal, std::size_t firs
   }
 }
 
-/// Of every pulse, the most that it and those on one side of it make at its place: exp(-a (x + y)²) is at most
-/// exp(-a x²) exp(-a y²), so a pulse may hand on what it was handed.
-std::vector<double> highestFromOneSide(std::span<const Pulse> pulses, std::span<const double> handed_on,
-                                       bool from_left) {
-  std::vector<double> highest(pulses.size());
-  double before_w = 0.0;
-  for (std::size_t k = 0; k < pulses.size(); ++k) {
-    const std::size_t i = from_left ? k : pulses.size() - 1 - k;
-    before_w = pulses[i].power_w + before_w * (k == 0 ? 0.0 : handed_on[from_left ? i - 1 : i]);
-    highest[i] = before_w;
-  }
-  return highest;
-}
-
-/// Whether anything between a pulse and the next one may be above the lowest level. A fog's tail is long and silent.
+/// Whether anything between a pulse and the next one may be above the lowest level: at most what the pulses up to the
+/// one make at its place, and those from the other on at its own. exp(-a (x + y)²) is at most exp(-a x²) exp(-a y²), so
+/// a pulse may hand on what it was handed. (A fog's tail is long and silent.)
 std::vector<bool> audibleBetween(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w) {
   const double a = kFourLn2 / (form.fwhm_m * form.fwhm_m);
-  std::vector<double> handed_on;
-  for (std::size_t i = 0; i + 1 < pulses.size(); ++i) {
+  std::vector<double> handed_on(pulses.size() - 1), from_here_w(pulses.size());
+  from_here_w.back() = pulses.back().power_w;
+  for (std::size_t i = handed_on.size(); i-- > 0;) {
     const double apart_m = pulses[i + 1].range_m - pulses[i].range_m;
-    handed_on.push_back(std::exp(-a * apart_m * apart_m));
+    handed_on[i] = std::exp(-a * apart_m * apart_m);
+    from_here_w[i] = pulses[i].power_w + handed_on[i] * from_here_w[i + 1];
   }
-  const std::vector<double> left_w = highestFromOneSide(pulses, handed_on, true);
-  const std::vector<double> right_w = highestFromOneSide(pulses, handed_on, false);
   std::vector<bool> audible;
-  for (std::size_t i = 0; i + 1 < pulses.size(); ++i) audible.push_back(left_w[i] + right_w[i + 1] > lowest_level_w);
+  double up_to_here_w = 0.0;
+  for (std::size_t i = 0; i < handed_on.size(); ++i) {
+    up_to_here_w += pulses[i].power_w;
+    audible.push_back(up_to_here_w + from_here_w[i + 1] > lowest_level_w);
+    up_to_here_w *= handed_on[i];
+  }
   return audible;
 }
 

@@ -69,6 +69,28 @@ TEST(HowFar, ARightWorldLeavesLittleHoweverMuchItsOwnNoiseScatters) {
   }
 }
 
+// Of a gap that is all noise, chance makes more or less than the noise is; no share is below nothing or above all.
+TEST(HowFar, TheShareAboveNoiseIsNothingWhereNothingIsMissingAndNearlyAllWhereMuchIs) {
+  int below = 0;
+  for (const std::uint64_t seed : {11, 12, 13, 14, 15, 16}) {
+    SmallWorld world;
+    world.measuredUnder(seed);
+    const model::Experiment same = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+    const gap::Replay replay(same, SmallWorld::modelWith({}));
+    const gap::HeldOutGaps gaps(replay, gap::splitOf(replay, 1).held_out.samples, 1);
+    EXPECT_GE(gaps.aboveNoise(), 0.0) << seed;
+    EXPECT_LT(gaps.aboveNoise(), 0.5) << seed;
+    below += gaps.aboveNoise() == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(below, 0);
+  const SmallWorld world;
+  const model::Experiment off = world.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.4}}}}), 0.4);
+  const gap::Replay replay(off, SmallWorld::modelWith({}));
+  const double much = gap::HeldOutGaps(replay, gap::splitOf(replay, 1).held_out.samples, 1).aboveNoise();
+  EXPECT_GT(much, 0.9);
+  EXPECT_LE(much, 1.0);
+}
+
 // The wall may stand 5 cm nearer or farther in the next recording, which is three times the noise of the range.
 TEST(HowFar, AReferenceThatIsHardlyKnownMakesTheShrinkLessCertain) {
   const auto truth = SmallWorld::modelWith({{"atmospheric-attenuation", {{"visibility_m", 20000}}}});
