@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "core/multiversion.h"
 
@@ -22,6 +23,11 @@ constexpr int kLanes = 8;
 constexpr double kTail = 0.01;
 constexpr double kLogOfNothing = -700.0;
 constexpr double kBinsPerWidth = 100.0;  // merging pulses within a bin changes the variance by less than 1e-5
+
+double totalOf(std::span<const Pulse> pulses) {
+  return std::accumulate(pulses.begin(), pulses.end(), 0.0,
+                         [](double sum_w, const Pulse& pulse) { return sum_w + pulse.power_w; });
+}
 
 /// How far from its peak one pulse that holds all the power is above `level_w`: nothing reaches farther.
 double reachOf(double power_w, double level_w, const PulseForm& form) {
@@ -94,8 +100,7 @@ std::vector<bool> audibleBetween(std::span<const Pulse> pulses, const PulseForm&
 /// Of pulses that follow each other closely, the stretches in which they may be heard, each with the pulses that reach
 /// into it.
 std::vector<PartOfPulses> audibleParts(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w) {
-  double total_w = 0.0;
-  for (const Pulse& pulse : pulses) total_w += pulse.power_w;
+  const double total_w = totalOf(pulses);
   if (total_w <= lowest_level_w) return {};
   const double reach_m = reachOf(total_w, lowest_level_w, form);
   const double tail_m = reachOf(total_w, kTail * lowest_level_w, form);
@@ -316,8 +321,7 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
 std::vector<WaveformPart> partsOf(std::vector<Pulse>& pulses, const PulseForm& form, double lowest_level_w) {
   std::vector<WaveformPart> parts;
   mergeNearPulses(pulses, form.fwhm_m / kBinsPerWidth);
-  double total_w = 0.0;
-  for (const Pulse& pulse : pulses) total_w += pulse.power_w;
+  const double total_w = totalOf(pulses);
   if (total_w <= lowest_level_w) return parts;
   const double gap_m = 2.0 * reachOf(total_w, lowest_level_w, form);
   for (std::size_t begin = 0; begin < pulses.size();) {

@@ -34,7 +34,7 @@ struct PartOfPulses {
 /// level that anybody will ask for. g has unit peak.
 ///
 /// The signal is sampled ten times per width: the cubic of log s through the four samples around a crossing and the
-/// quartic through five around a peak are exact for one Gaussian, and good to half a thousandth of the width for
+/// quartic through five around a peak are exact for one Gaussian, and good to a thousandth of the width for
 /// sums, unless the level touches a saddle.
 class WaveformPart {
  public:
