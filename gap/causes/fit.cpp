@@ -98,10 +98,10 @@ std::vector<double> fitSetups(const Replay& replay, const Hypothesis& hypothesis
 }  // namespace
 
 Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-              const std::vector<std::vector<double>>& starts, const core::Progress& progress) {
+              const std::vector<std::vector<double>>& starts, const core::Progress& progress, const World* known) {
   if (hypothesis.per_setup) return scoutSetups(replay, hypothesis, evidence, progress);
   const Evidence few = fewOf(evidence);
-  const double before = discrepancyOf(replay, replay.baseline(), few);
+  const double before = discrepancyOf(replay, known != nullptr ? *known : replay.baseline(), few);
   const auto gain = [&](double after) { return before > 0.0 ? 1.0 - after / before : 0.0; };
   const Objective objective(replay, hypothesis, few, progress);
   if (objective.dimensions() == 0) return {{}, gain(objective({}))};

@@ -10,13 +10,15 @@ namespace gap {
 /// Where a coarse search ended.
 struct Scouted {
   std::vector<double> values;
-  double gain = 0.0;  ///< share of the baseline's discrepancy that is gone, on the few samples and frames looked at
+  double gain = 0.0;  ///< share of the discrepancy that is gone, on the few samples and frames looked at
 };
 
 /// A coarse search over the plausible range (and the starts given) on a few samples. Parameters per set-up are searched
-/// one by one. Deterministic. The random numbers are the same for all values and hypotheses.
+/// one by one. Deterministic. The random numbers are the same for all values and hypotheses. Gains are those beyond
+/// what is `known`; beyond the baseline if that is null.
 [[nodiscard]] Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                            const std::vector<std::vector<double>>& starts, const core::Progress& progress);
+                            const std::vector<std::vector<double>>& starts, const core::Progress& progress,
+                            const World* known = nullptr);
 
 /// The values with the smallest discrepancy near these: a bounded derivative-free search (NLopt: Subplex; one
 /// parameter: Brent). Fits few frames; `refine` makes the result exact.

@@ -17,28 +17,37 @@ constexpr int kFewestRays = 9;                 // per direction, whatever the mo
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 
-/// Leaves out beams in pairs of neighbouring columns until about `most` are left, with their measured detections.
-void thin(ReplaySample& sample, std::size_t most) {
-  const std::size_t stride = (sample.beams.size() + most - 1) / most;
-  if (stride < 2) return;
-  sample.whole_scan = sample.beams;
-  sample.beams.clear();
+/// About so many beams, in pairs of neighbouring columns; empty if that is all of them.
+std::vector<std::uint32_t> evenlyOf(const std::vector<model::Beam>& beams, std::size_t most) {
+  const std::size_t stride = (beams.size() + most - 1) / most;
+  if (stride < 2) return {};
+  std::vector<std::uint32_t> taken;
+  for (std::uint32_t b = 0; b < beams.size(); ++b) {
+    // Layers take turns, so that no direction is left out in all of them.
+    const auto pair = static_cast<std::size_t>(beams[b].column) / 2, layer = static_cast<std::size_t>(beams[b].layer);
+    if ((pair + layer) % stride == 0) taken.push_back(b);
+  }
+  return taken;
+}
+
+/// Leaves out all beams but these, with their measured detections.
+void take(ReplaySample& sample, std::vector<std::uint32_t> beams) {
+  sample.whole_scan = std::move(sample.beams);
+  sample.taken = std::move(beams);
   constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> place(sample.whole_scan.size(), kLeftOut);
-  for (std::uint32_t b = 0; b < sample.whole_scan.size(); ++b) {
-    const model::Beam& beam = sample.whole_scan[b];
-    // Layers take turns, so that no direction is left out in all of them.
-    if ((static_cast<std::size_t>(beam.column) / 2 + static_cast<std::size_t>(beam.layer)) % stride != 0) continue;
-    place[b] = static_cast<std::uint32_t>(sample.taken.size());
-    sample.taken.push_back(b);
-    sample.beams.push_back(beam);
+  sample.beams.clear();
+  for (const std::uint32_t b : sample.taken) {
+    place[b] = static_cast<std::uint32_t>(sample.beams.size());
+    sample.beams.push_back(sample.whole_scan[b]);
   }
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < sample.beam_of.size(); ++i) {
-    if (place[sample.beam_of[i]] != kLeftOut) kept.push_back(i);
-  }
   std::vector<std::uint32_t> beam_of;
-  for (const std::size_t i : kept) beam_of.push_back(place[sample.beam_of[i]]);
+  for (std::size_t i = 0; i < sample.beam_of.size(); ++i) {
+    if (place[sample.beam_of[i]] == kLeftOut) continue;
+    kept.push_back(i);
+    beam_of.push_back(place[sample.beam_of[i]]);
+  }
   sample.measured = core::selected(sample.measured, kept);
   sample.beam_of = std::move(beam_of);
 }
@@ -125,7 +134,7 @@ void addShareErrors(ReplaySample& sample) {
 }  // namespace
 
 Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail,
-               std::span<const model::ExternalRun> foreign)
+               std::span<const model::ExternalRun> foreign, const std::vector<std::vector<std::uint32_t>>& chosen)
     : experiment_(experiment), detail_(detail), traced_(kMostBytes), foreign_(foreign) {
   baseline_.model = baseline;
   std::array<bool, kChannels> everywhere{true, true, true};
@@ -140,7 +149,10 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     replay.frames = experiment.samples[i].frames;
     requireFrames(replay);
     if (!foreign_.empty()) replay.foreign = foreignFrames(foreign[i], replay, baseline);
-    if (replay.measured.hasDirections()) thin(replay, detail.most_beams);
+    if (replay.measured.hasDirections()) {
+      auto beams = chosen.empty() ? evenlyOf(replay.beams, detail.most_beams) : chosen[i];
+      if (!beams.empty()) take(replay, std::move(beams));
+    }
     if (!foreign_.empty() && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
     if (replay.measured.size() > 0) {
       everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
@@ -240,6 +252,14 @@ Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) cons
   geometry = trace(world, sample);
   traced_.remember(key, geometry);
   return geometry;
+}
+
+Replay Replay::only(std::vector<std::vector<std::uint32_t>> beams, Detail detail) const {
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const std::vector<std::uint32_t>& taken = samples_[s].taken;
+    for (std::uint32_t& beam : beams[s]) beam = taken.empty() ? beam : taken[beam];
+  }
+  return Replay(experiment_, baseline_.model, detail, foreign_, beams);
 }
 
 bool Replay::thinned() const {

@@ -68,12 +68,17 @@ struct Detail {
 class Replay {
  public:
   Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail = {},
-         std::span<const model::ExternalRun> foreign = {});
+         std::span<const model::ExternalRun> foreign = {})
+      : Replay(experiment, baseline, detail, foreign, {}) {}
 
   /// The same replay with fewer beams.
   [[nodiscard]] Replay thinner(std::size_t most_beams) const {
-    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays, detail_.joined}, foreign_);
+    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays, detail_.joined}, foreign_, {});
   }
+  /// Another one of these beams alone, whatever the detail says of their number: of every sample numbers among the
+  /// beams that it has here, ascending; none: all of the scan.
+  [[nodiscard]] Replay only(std::vector<std::vector<std::uint32_t>> beams, Detail detail) const;
+  [[nodiscard]] const Detail& detail() const noexcept { return detail_; }
 
   [[nodiscard]] const model::Experiment& experiment() const noexcept { return experiment_; }
   [[nodiscard]] const World& baseline() const noexcept { return baseline_; }
@@ -97,6 +102,9 @@ class Replay {
 
  private:
   using Geometry = GeometryCache::Geometry;
+  /// `chosen`: numbers of beams in the whole scan, for each sample; empty: as the detail says.
+  Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail,
+         std::span<const model::ExternalRun> foreign, const std::vector<std::vector<std::uint32_t>>& chosen);
   /// Where several sensors stand side by side: whether this one sees nothing of what the world changes.
   [[nodiscard]] bool untouched(const World& world, const std::string& sensor) const;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;

@@ -201,7 +201,7 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
 }
 
 std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
-                            core::Progress& progress) {
+                            core::Progress& progress, const World* known) {
   std::atomic<std::size_t> done = 0;
   const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
     progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
@@ -213,7 +213,7 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
     core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
       const Replay& replay = some[h].kind == CauseKind::kReference ? few : judge.replay;
       scouted[h] =
-          scout(replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress);
+          scout(replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress, known);
       report("tried ", some[h]);
     });
     return scouted;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "gap/which/closer_look.h"
 #include "gap/which/counter.h"
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
@@ -90,7 +91,7 @@ bool nothingElse(const Significance& significance, std::size_t causes) {
 std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                                    const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                                    core::Progress& progress) {
-  core::PartOfProgress part(progress, 0.1, 0.6);
+  core::PartOfProgress part(progress, 0.1, 0.5);
   std::vector<Candidate> singles = rank(quick, hypotheses, where, part);
   polish(exact, gaps, singles, where, progress);
   const auto no_error = [&](const Candidate& candidate) {
@@ -351,7 +352,11 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   if (!clear) {
     nameWhatProvesItself(quick, exact, gaps, where, decision, progress);
-  } else if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
+    return decision;
+  }
+  core::PartOfProgress part(progress, 0.5, 0.6);
+  lookCloser(quick, exact, gaps, where, decision.singles, part);
+  if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
     nameTheBest(quick, exact, gaps, where, decision, progress);
   }
   return decision;

@@ -168,7 +168,7 @@ std::vector<Guess> PairGuesses::nearestOfEveryTwo() const {
 /// Every cause that may be a pair with this one is looked at beside it, wherever it was looked at alone: what two do
 /// together may be in neither's signature (fog blinds a receiver that does not look past its near field). What the
 /// first one leaves says where: of all beams, for a hundred do not show in which sector a receiver is noisier.
-std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values, Look look) const {
+std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
   std::vector<Atom> atoms = atoms_;
   std::erase_if(atoms, [&](const Atom& atom) {
     const bool seldom = !singles_[atom.single].hypothesis.sensors.empty() && atom.single >= kBestAlone;
@@ -178,8 +178,7 @@ std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<
   const WhereResult where = whereIn(judge_.replay, world, scouted_.seed);
   for (std::size_t i = 0; i < singles_.size(); ++i)
     if (mayPair(first, i)) append(atoms, suggestedFor(i, where));
-  std::vector<Guess> nearest = nearestPartners(first, values, atoms);
-  if (look == Look::kClosely) nearest = searchedOnLines(std::move(nearest));
+  const std::vector<Guess> nearest = nearestPartners(first, values, atoms);
   std::vector<Guess> guesses = nearestOf(withFittedPartners(nearestOf(nearest, kPartnersTried)), kPartnersFitted);
   append(guesses, lookedAt(nearestByAll(first, values, nearest)));
   return guesses;
@@ -223,36 +222,21 @@ std::vector<Guess> PairGuesses::nearestPartners(std::size_t first, const std::ve
   return guesses;
 }
 
-/// The guess with the second cause's numbers where they serve the first one best; before that, a number that is alone
-/// is searched all along its line, if so wanted.
-Guess PairGuesses::fitted(const Guess& guess, bool along_its_line) const {
+/// The guess with the second cause's numbers where they serve the first one best.
+Guess PairGuesses::fitted(const Guess& guess) const {
   const auto middle = guess.values.begin() + static_cast<std::ptrdiff_t>(numbersOf(guess.first));
-  const std::vector<double> fixed(guess.values.begin(), middle);
-  std::vector<double> start(middle, guess.values.end());
+  const std::vector<double> fixed(guess.values.begin(), middle), start(middle, guess.values.end());
   const Hypothesis added = beside(singles_[guess.first].hypothesis, fixed, singles_[guess.second].hypothesis);
   const Objective objective(scout_, added, scouted_, progress_);
   if (objective.tracesAnew(objective.unitOf(start))) return guess;
-  if (along_its_line) {
-    start = scout(scout_, added, scouted_, {start}, progress_).values;
-    if (distanceOf(added, start) >= guess.distance) return guess;  // the line leads nowhere
-  }
   const std::vector<double> found = roughFitFrom(scout_, added, scouted_, start, progress_);
   const double distance = distanceOf(added, found);
   return distance < guess.distance ? Guess{guess.first, guess.second, joined(fixed, found), distance} : guess;
 }
 
-/// A threshold that is off by a tenth, or an aperture beside which all is lost, lies between the places that were
-/// looked at.
-std::vector<Guess> PairGuesses::searchedOnLines(std::vector<Guess> guesses) const {
-  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) {
-    if (numbersOf(guesses[g].second) == 1) guesses[g] = fitted(guesses[g], true);
-  });
-  return guesses;
-}
-
 /// A cause of several numbers is seldom right at any place that was looked at.
 std::vector<Guess> PairGuesses::withFittedPartners(std::vector<Guess> guesses) const {
-  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) { guesses[g] = fitted(guesses[g], false); });
+  core::parallelFor(guesses.size(), 1, [&](std::size_t g, std::size_t) { guesses[g] = fitted(guesses[g]); });
   return guesses;
 }
 

@@ -35,9 +35,8 @@ class PairGuesses {
   [[nodiscard]] std::vector<Guess> nearestSums() const;
   /// Two effects that are much nearer together than either is alone may be far from every other guess.
   [[nodiscard]] std::vector<Guess> nearestOfEveryTwo() const;
-  enum class Look { kClosely, kBriefly };
   /// What goes best with a cause at these values.
-  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values, Look look) const;
+  [[nodiscard]] std::vector<Guess> partnersOf(std::size_t first, const std::vector<double>& values) const;
   /// What goes best with another value of a parameter: whoever calibrated the model to its means has hidden the cause
   /// in it, and no single hypothesis may look better than none. What is left of the cause shows only where the
   /// parameter is right within a per cent or two, so signatures are summed at many values of it.
@@ -64,8 +63,7 @@ class PairGuesses {
                                                 std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> nearestPartners(std::size_t first, const std::vector<double>& values,
                                                    const std::vector<Atom>& atoms) const;
-  [[nodiscard]] Guess fitted(const Guess& guess, bool along_its_line) const;
-  [[nodiscard]] std::vector<Guess> searchedOnLines(std::vector<Guess> guesses) const;
+  [[nodiscard]] Guess fitted(const Guess& guess) const;
   [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const;
   [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXf>> stepsOf(std::size_t parameter) const;

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "gap/which/pair_guesses.h"
+#include "gap/which/second_search.h"
 
 namespace gap {
 
@@ -27,8 +28,10 @@ class PairSearch {
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
-    using Look = PairGuesses::Look;
-    for (const std::size_t i : partnered()) append(guesses, guesses_.partnersOf(i, singles_[i].values, Look::kClosely));
+    const std::vector<std::size_t> leaders = partnered();
+    for (const std::size_t i : leaders) {
+      append(guesses, i == leaders.front() ? searchedAnewBeside(i) : guesses_.partnersOf(i, singles_[i].values));
+    }
     append(guesses, guesses_.nearestSums());
     append(guesses, guesses_.besideRecalibration());
     fit(std::move(guesses));
@@ -36,8 +39,8 @@ class PairSearch {
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
       const auto middle = best.candidate.values.begin() + static_cast<std::ptrdiff_t>(guesses_.numbersOf(best.first));
-      guesses = guesses_.partnersOf(best.first, {best.candidate.values.begin(), middle}, Look::kBriefly);
-      append(guesses, guesses_.partnersOf(best.second, {middle, best.candidate.values.end()}, Look::kBriefly));
+      guesses = guesses_.partnersOf(best.first, {best.candidate.values.begin(), middle});
+      append(guesses, guesses_.partnersOf(best.second, {middle, best.candidate.values.end()}));
       fit(std::move(guesses));
       if (pairs_.front().first == best.first && pairs_.front().second == best.second) break;
     }
@@ -74,6 +77,18 @@ class PairSearch {
       return names.size() == kPartnered || !names.insert(singles_[i].hypothesis.name).second;
     });
     return wanted;
+  }
+
+  /// What the search for a single cause finds beside this one.
+  [[nodiscard]] std::vector<Guess> searchedAnewBeside(std::size_t first) {
+    std::vector<Guess> guesses;
+    core::PartOfProgress part(progress_, 0.0, 0.5);
+    for (const Found& found : searchedBeside(judge_, singles_[first], singles_, part)) {
+      Guess guess{first, found.single, joined(singles_[first].values, found.values)};
+      guess.distance = guesses_.distanceOf(guesses_.hypothesisOf(guess), guess.values);
+      guesses.push_back(std::move(guess));
+    }
+    return guesses;
   }
 
   [[nodiscard]] bool littleIsExplained() const {

@@ -230,6 +230,15 @@ class Rules(unittest.TestCase):
         self.assertFalse(score.named_first(truth("effect", "a", "b"), verdict("effect", ["a"], same=["b"])))
         self.assertTrue(score.named_first(truth("effect", "a", "b"), verdict("effect", ["b", "a"])))
 
+    def test_pairs_are_counted_by_the_severity_of_their_weaker_member(self):
+        rows = [{**score.judge({"id": "1", "class": "pair", "name": "two", "family": "street", "generator": "own", "truth": truth("effect", "a", "b"),
+                                "severity": {"value": 9, "bin": 4, "members": {"a": 8.0, "b": weaker}}},
+                               {"status": "done", "elapsed_s": 1.0, "report": {"verdict": verdict("effect", found)}}), "peak_mib": 1}
+                for weaker, found in ((2.0, "ab"), (3.0, "a"), (1.9, "a"))]
+        shown = {what: (result["value"], result["n"]) for what, _, result in score.table(rows)}
+        self.assertEqual(shown["pair: both found, each with s >= 2 beside the other"], (0.5, 2))
+        self.assertEqual(shown["pair: both found, the weaker one with s < 2"], (0.0, 1))
+
     def test_none_and_unknown_are_kinds(self):
         self.assertTrue(score.named_first(truth("none"), verdict("none", [])))
         self.assertFalse(score.named_first(truth("unknown"), verdict("none", [])))

@@ -1,0 +1,62 @@
+#include "gap/which/second_search.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "core/parallel.h"
+#include "gap/which/partners.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kMost = 4;
+constexpr std::size_t kBestAlone = 16;  // of causes on some sensors only: all of them would take long
+
+/// The causes that may stand beside `known`, each where that one is at work; and which of `singles` they are.
+std::pair<std::vector<Hypothesis>, std::map<Form, std::size_t>> besideThat(const Candidate& known,
+                                                                           const std::vector<Candidate>& singles) {
+  std::vector<Hypothesis> hypotheses;
+  std::map<Form, std::size_t> places;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const Hypothesis& hypothesis = singles[i].hypothesis;
+    const bool seldom = !hypothesis.sensors.empty() && i >= kBestAlone;
+    if (seldom || !pairable(known.hypothesis, hypothesis)) continue;
+    hypotheses.push_back(beside(known.hypothesis, known.values, hypothesis));
+    places[formOf(hypothesis)] = i;
+  }
+  return {std::move(hypotheses), std::move(places)};
+}
+
+}  // namespace
+
+std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known, const std::vector<Candidate>& singles,
+                                  core::Progress& progress) {
+  const auto [hypotheses, places] = besideThat(known, singles);
+  if (hypotheses.empty()) return {};
+  const World world = worldOf(judge.replay, known.hypothesis, known.values);
+  const WhereResult where = whereIn(judge.replay, world, judge.split.fitted.seed);
+  const std::vector<Candidate> ranked = rank(judge, hypotheses, where, progress, &world);
+
+  std::vector<std::pair<double, std::size_t>> order(ranked.size());
+  core::parallelFor(ranked.size(), 1, [&](std::size_t i, std::size_t) {
+    core::stopIfCancelled(progress);
+    const Candidate& candidate = ranked[i];
+    const double price = Judge::kNatsPerNumber * static_cast<double>(candidate.values.size());
+    order[i] = {judge.leftOfFitted(candidate.hypothesis, candidate.values) + price, i};
+  });
+  std::sort(order.begin(), order.end());
+  const double nothing = judge.leftOfFitted(known.hypothesis, known.values);
+  std::vector<Found> found;
+  std::set<std::string> names;
+  for (const auto& [left, i] : order) {
+    if (left >= nothing || found.size() == kMost) break;
+    if (names.insert(ranked[i].hypothesis.name).second)
+      found.push_back({places.at(formOf(ranked[i].hypothesis)), ranked[i].values});
+  }
+  return found;
+}
+
+}  // namespace gap

@@ -1,0 +1,72 @@
+#include "gap/which/closer_look.h"
+
+#include <gtest/gtest.h>
+
+#include "core/physics.h"
+#include "gap/far/how_far.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+
+constexpr double kFrom_deg = 5.5, kTo_deg = 8.5;
+
+/// Dirt in front of three columns of beams, and causes that were chosen on beams beside them.
+class ChosenBesideTheDirt : public testing::Test {
+ protected:
+  [[nodiscard]] gap::Replay withoutTheDirtyBeams() const {
+    std::vector<std::vector<std::uint32_t>> clean;
+    for (const gap::ReplaySample& sample : replay_.samples()) {
+      clean.emplace_back();
+      for (std::uint32_t b = 0; b < sample.beams.size(); ++b) {
+        const double azimuth_deg = sample.beams[b].azimuth_rad * core::kDegPerRad;
+        if (azimuth_deg < kFrom_deg || azimuth_deg > kTo_deg) clean.back().push_back(b);
+      }
+    }
+    return replay_.only(std::move(clean), replay_.detail());
+  }
+  [[nodiscard]] std::vector<gap::Candidate> rankedOn(const gap::Judge& quick) {
+    const auto hypotheses =
+        gap::hypothesesFor(replay_, {"cover-contamination", "range-walk", "atmospheric-attenuation"});
+    std::vector<gap::Candidate> singles = gap::rank(quick, hypotheses, where_, progress_);
+    for (gap::Candidate& single : singles) exact_.hear(single);
+    gap::sortByMerit(singles);
+    return singles;
+  }
+
+  SmallWorld world_;
+  model::Experiment measured_ = world_.measuredBy(
+      SmallWorld::modelWith({{"cover-contamination",
+                              {{"attenuation", 0.4}, {"azimuth_from_deg", kFrom_deg}, {"azimuth_to_deg", kTo_deg}}}}),
+      0.4);
+  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
+  gap::Split split_ = gap::splitOf(replay_, 1);
+  gap::Judge exact_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
+  gap::HeldOutGaps gaps_{replay_, split_.held_out.samples, 1};
+  gap::WhereResult where_ = gap::whereIn(replay_, replay_.baseline(), 1);
+  core::SilentProgress progress_;
+};
+
+TEST_F(ChosenBesideTheDirt, ACauseIsFoundInTheBeamsThatDeviate) {
+  const gap::Replay clean = withoutTheDirtyBeams();
+  const gap::Judge quick{clean, split_, gap::yardstickOf(clean, split_.held_out)};
+  std::vector<gap::Candidate> singles = rankedOn(quick);
+  ASSERT_LT(singles.front().explained, 0.5);
+  gap::lookCloser(quick, exact_, gaps_, where_, singles, progress_);
+  EXPECT_EQ(singles.front().hypothesis.name, "cover-contamination");
+  EXPECT_GT(singles.front().explained, 0.9);
+  EXPECT_NEAR(singles.front().values.at(0), 0.4, 0.02);
+}
+
+TEST_F(ChosenBesideTheDirt, NothingIsLookedAtAgainWhereAllBeamsTookPart) {
+  std::vector<gap::Candidate> singles = rankedOn(exact_);
+  for (gap::Candidate& single : singles) {
+    single.values = {};
+    single.explained = 0.0;
+  }
+  gap::lookCloser(exact_, exact_, gaps_, where_, singles, progress_);
+  for (const gap::Candidate& single : singles) EXPECT_TRUE(single.values.empty());
+}
+
+}  // namespace
