@@ -13,8 +13,11 @@ namespace gap {
 
 namespace {
 
-/// Objects that hold a notable part of the deviation: a wrong pose or material of any other cannot explain it.
-std::set<std::int32_t> suspects(const Replay& replay) {
+constexpr std::size_t kMostPoses = 8;  // of objects: more of them would cost minutes and teach nothing
+
+/// Objects that hold a notable part of the deviation, with what they hold, the most first: a wrong pose or material of
+/// any other cannot explain it.
+std::vector<std::pair<double, std::int32_t>> suspects(const Replay& replay) {
   constexpr int kFrames = 5;
   constexpr double kNotable = 0.05;
   std::map<std::int32_t, double> deviation;
@@ -41,10 +44,17 @@ std::set<std::int32_t> suspects(const Replay& replay) {
       all += sum;
     }
   }
-  std::set<std::int32_t> objects;
+  std::vector<std::pair<double, std::int32_t>> objects;
   for (const auto& [object, sum] : deviation) {
-    if (object >= 0 && sum >= kNotable * all) objects.insert(object);
+    if (object >= 0 && sum >= kNotable * all) objects.emplace_back(sum, object);
   }
+  std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  return objects;
+}
+
+std::set<std::int32_t> firstOf(const std::vector<std::pair<double, std::int32_t>>& suspects, std::size_t most) {
+  std::set<std::int32_t> objects;
+  for (std::size_t i = 0; i < std::min(most, suspects.size()); ++i) objects.insert(suspects[i].second);
   return objects;
 }
 
@@ -65,9 +75,9 @@ std::string toString(CauseKind kind) {
 std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<std::string>& only) {
   std::vector<Hypothesis> list;
   addEffectHypotheses(replay, only, list);
-  const std::set<std::int32_t> objects = suspects(replay);
-  addParameterHypotheses(replay, objects, list);
-  addReferenceHypotheses(replay, objects, list);
+  const auto objects = suspects(replay);
+  addParameterHypotheses(replay, firstOf(objects, objects.size()), list);
+  addReferenceHypotheses(replay, firstOf(objects, kMostPoses), list);
   return list;
 }
 

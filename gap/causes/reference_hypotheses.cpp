@@ -35,14 +35,11 @@ void addReference(const std::string& pointer, const std::string& unit, double mo
 
 void addReferenceHypotheses(const Replay& replay, const std::set<std::int32_t>& objects,
                             std::vector<Hypothesis>& list) {
-  constexpr std::size_t kMostObjects = 8;  // more of them would cost minutes and teach nothing
   constexpr double kFarthest_m = 1.5, kMost_deg = 15.0;
-  std::size_t count = 0;
   std::vector<std::size_t> everything(replay.samples().size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   const std::vector<std::string> setups = setupsOf(replay, everything);
   for (const std::int32_t index : objects) {
-    if (++count > kMostObjects) break;
     const auto& pose = replay.experiment().json["scene"][static_cast<std::size_t>(index)]["pose"];
     const std::string root = "/scene/" + std::to_string(index) + "/pose/";
     for (const char* axis : {"0", "1"}) {

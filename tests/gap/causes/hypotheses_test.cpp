@@ -6,7 +6,10 @@
 #include <map>
 #include <set>
 
+#include "core/json_object.h"
+#include "core/physics.h"
 #include "gap/causes/fit.h"
+#include "model/simulate.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -194,6 +197,46 @@ TEST(Hypotheses, AnUnevennessIsSeenAsItIsAndBesideAWeakEmitterWithoutTheFactorOf
     EXPECT_NEAR(seen[layer], gains[layer], 0.01) << layer;
     EXPECT_NEAR(dimmed[layer], gains[layer] / shared, 0.015) << layer;
   }
+}
+
+/// Ten boards side by side, each so much farther than in front of the sensor.
+nlohmann::json boardsAt(nlohmann::json experiment, const std::vector<double>& offsets_m) {
+  constexpr double kAway_m = 8.0, kApart_deg = 4.0;
+  const nlohmann::json wall = experiment["scene"][0];
+  experiment["scene"] = nlohmann::json::array();
+  for (std::size_t b = 0; b < offsets_m.size(); ++b) {
+    const double azimuth_rad = (18.0 - kApart_deg * static_cast<double>(b)) * core::kRadPerDeg;
+    nlohmann::json board = wall;
+    board["id"] = "board-" + std::to_string(b);
+    board["shape"]["width_m"] = 0.5;
+    board["pose"]["position_m"] = {kAway_m + offsets_m[b], kAway_m * std::tan(azimuth_rad), 0.0};
+    experiment["scene"].push_back(board);
+  }
+  for (auto& sample : experiment["samples"]) sample.erase("patch");
+  return experiment;
+}
+
+// More poses than eight would cost minutes; the one that is off most must be among them, wherever it stands in the
+// file.
+TEST(Hypotheses, ThePosesOfTheObjectsThatDeviateMostAreTried) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  std::vector<double> offsets_m(10, 0.1);
+  offsets_m.back() = 0.3;
+  const auto real = model::parseExperiment(boardsAt(world.recorded(), offsets_m), world.folder() / "real.json");
+  core::SilentProgress progress;
+  model::simulatePackage(real, model, world.folder() / "boards", 4711, progress);
+  core::writeJson(world.folder() / "boards" / "experiment.json",
+                  boardsAt(world.recorded(), std::vector<double>(offsets_m.size(), 0.0)));
+  const auto measured = model::readExperiment(world.folder() / "boards");
+  const gap::Replay replay(measured, model);
+  std::set<std::string> distances;
+  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {})) {
+    if (hypothesis.kind == gap::CauseKind::kReference && hypothesis.name.ends_with("/position_m/0"))
+      distances.insert(hypothesis.name);
+  }
+  EXPECT_EQ(distances.size(), 8U);
+  EXPECT_TRUE(distances.contains("/scene/9/pose/position_m/0"));
 }
 
 }  // namespace
