@@ -15,8 +15,8 @@ struct FrameMode {
   double z = 0.0;            ///< above that of detections that scatter for themselves, in standard deviations
   /// Of the held-out discrepancy beyond that of a right model: what is gone once the measurement is rid of it.
   double share_of_gap = 0.0;
-  /// From the least to the largest common deviation of the frames of one number in all samples, if they are alike there:
-  /// a sensor that warms up or drifts. 0 otherwise.
+  /// From the least to the largest common deviation of the frames of one number in all samples, if they are alike
+  /// there: a sensor that warms up or drifts. 0 otherwise.
   double span_in_all_samples = 0.0;
 };
 

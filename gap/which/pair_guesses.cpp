@@ -20,7 +20,6 @@ constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
 constexpr std::size_t kScoutBeams = 120;
 constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
-constexpr std::size_t kBestAlone = 16;      // of causes on some sensors only, those looked at beside another cause
 constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
 constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
@@ -170,10 +169,8 @@ std::vector<Guess> PairGuesses::nearestOfEveryTwo() const {
 /// first one leaves says where: of all beams, for a hundred do not show in which sector a receiver is noisier.
 std::vector<Guess> PairGuesses::partnersOf(std::size_t first, const std::vector<double>& values) const {
   std::vector<Atom> atoms = atoms_;
-  std::erase_if(atoms, [&](const Atom& atom) {
-    const bool seldom = !singles_[atom.single].hypothesis.sensors.empty() && atom.single >= kBestAlone;
-    return seldom || !mayPair(first, atom.single);
-  });
+  std::erase_if(atoms,
+                [&](const Atom& atom) { return !worthPairing(singles_, atom.single) || !mayPair(first, atom.single); });
   const World world = worldOf(judge_.replay, singles_[first].hypothesis, values);
   const WhereResult where = whereIn(judge_.replay, world, scouted_.seed);
   for (std::size_t i = 0; i < singles_.size(); ++i)

@@ -8,6 +8,11 @@ namespace gap {
 
 bool pairable(const Hypothesis& a, const Hypothesis& b) { return !a.per_setup && !b.per_setup && a.name != b.name; }
 
+bool worthPairing(const std::vector<Candidate>& singles, std::size_t single) {
+  constexpr std::size_t kBestAlone = 16;
+  return singles[single].hypothesis.sensors.empty() || single < kBestAlone;
+}
+
 Candidate pairOf(const Candidate& a, const Candidate& b) {
   return {.hypothesis = together(a.hypothesis, b.hypothesis), .values = joined(a.values, b.values)};
 }

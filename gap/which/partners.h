@@ -9,6 +9,10 @@ namespace gap {
 /// Whether two causes may be at work together as a pair: of different names, and neither an offset of single set-ups.
 [[nodiscard]] bool pairable(const Hypothesis& a, const Hypothesis& b);
 
+/// Whether a cause, best ones first, is worth a look beside others: of those that hold on some of several sensors only
+/// the sixteen that are best alone, for all of them would take long.
+[[nodiscard]] bool worthPairing(const std::vector<Candidate>& singles, std::size_t single);
+
 /// Both at once, with the values that each has; not judged yet.
 [[nodiscard]] Candidate pairOf(const Candidate& a, const Candidate& b);
 

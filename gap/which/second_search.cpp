@@ -12,8 +12,7 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kMost = 4;
-constexpr std::size_t kBestAlone = 16;  // of causes on some sensors only: all of them would take long
+constexpr std::size_t kMost = 4;  // are fitted jointly after that
 
 /// The causes that may stand beside `known`, each where that one is at work; and which of `singles` they are.
 std::pair<std::vector<Hypothesis>, std::map<Form, std::size_t>> besideThat(const Candidate& known,
@@ -22,8 +21,7 @@ std::pair<std::vector<Hypothesis>, std::map<Form, std::size_t>> besideThat(const
   std::map<Form, std::size_t> places;
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const Hypothesis& hypothesis = singles[i].hypothesis;
-    const bool seldom = !hypothesis.sensors.empty() && i >= kBestAlone;
-    if (seldom || !pairable(known.hypothesis, hypothesis)) continue;
+    if (!worthPairing(singles, i) || !pairable(known.hypothesis, hypothesis)) continue;
     hypotheses.push_back(beside(known.hypothesis, known.values, hypothesis));
     places[formOf(hypothesis)] = i;
   }

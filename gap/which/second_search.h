@@ -13,9 +13,8 @@ struct Found {
 };
 
 /// The search for a single cause made once more where one is known, as closely: its residuals say where to begin, and
-/// all samples that are fitted say how near each cause comes beside it. So a second cause is seen in a fortieth of what
-/// the first one does. Of each name the nearest form; nearest first, free numbers paid for. None that brings less than
-/// it costs.
+/// all samples that are fitted say how near each cause comes beside it. Of each name the nearest form; nearest first,
+/// free numbers paid for; four at most, and none that brings less than it costs.
 [[nodiscard]] std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known,
                                                 const std::vector<Candidate>& singles, core::Progress& progress);
 
