@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/forward_progress.h"
 #include "gap/background.h"
 #include "gap/diagnosis.h"
 #include "gap/distance/models_grid.h"
@@ -328,8 +329,9 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
 }  // namespace
 
 Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& given, const DiagnoseOptions& options,
-                   core::Progress& progress) {
+                   core::Progress& watched) {
   const auto start = std::chrono::steady_clock::now();
+  core::ForwardProgress progress(watched);
   const std::uint64_t seed = options.seed.value_or(given.seed);
   const model::Experiment experiment = options.without.applied(recorded);
   model::LidarModel model = withInlineSensor(given.external ? proxyOf(experiment, given, options.proxy) : given);
