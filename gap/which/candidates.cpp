@@ -160,6 +160,21 @@ double Judge::accountedFor(const Candidate& candidate) const {
 
 void sortByMerit(std::vector<Candidate>& candidates) { std::stable_sort(candidates.begin(), candidates.end(), better); }
 
+std::size_t placeOfForm(const std::vector<Candidate>& candidates, const Candidate& other) {
+  const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& one) {
+    return formOf(one.hypothesis) == formOf(other.hypothesis);
+  });
+  return static_cast<std::size_t>(same - candidates.begin());
+}
+
+void takeBetter(std::vector<Candidate> improved, std::vector<Candidate>& candidates) {
+  for (Candidate& candidate : improved) {
+    Candidate& known = candidates[placeOfForm(candidates, candidate)];
+    if (better(candidate, known)) known = std::move(candidate);
+  }
+  sortByMerit(candidates);
+}
+
 std::vector<Candidate> membersOf(const Candidate& candidate) {
   if (candidate.hypothesis.members.empty()) return {candidate};
   std::vector<Candidate> members;

@@ -87,4 +87,10 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);
 
+/// Where the candidate of the same form as another one stands, with whatever values; behind the last if there is none.
+[[nodiscard]] std::size_t placeOfForm(const std::vector<Candidate>& candidates, const Candidate& other);
+
+/// Puts those that are better than the candidate of their form, which there must be, in its place; best merit first.
+void takeBetter(std::vector<Candidate> improved, std::vector<Candidate>& candidates);
+
 }  // namespace gap

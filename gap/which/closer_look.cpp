@@ -47,12 +47,6 @@ std::vector<std::uint32_t> chosenBy(const std::vector<double>& deviations) {
   return order;
 }
 
-template <typename Candidates>
-auto sameForm(Candidates& singles, const Candidate& other) {
-  return std::find_if(singles.begin(), singles.end(),
-                      [&](const Candidate& single) { return formOf(single.hypothesis) == formOf(other.hypothesis); });
-}
-
 /// What explains most on these beams, if all of them say that it is nearer to what is fitted than its values before.
 std::vector<Candidate> nearerThanBefore(const Judge& exact, const std::vector<Candidate>& singles,
                                         std::vector<Candidate> closer, const core::Progress& progress) {
@@ -61,7 +55,7 @@ std::vector<Candidate> nearerThanBefore(const Judge& exact, const std::vector<Ca
   core::parallelFor(closer.size(), 1, [&](std::size_t c, std::size_t) {
     core::stopIfCancelled(progress);
     const Hypothesis& hypothesis = closer[c].hypothesis;
-    const double known = exact.leftOfFitted(hypothesis, sameForm(singles, closer[c])->values);
+    const double known = exact.leftOfFitted(hypothesis, singles[placeOfForm(singles, closer[c])].values);
     nearer[c] = exact.leftOfFitted(hypothesis, closer[c].values) < known - Judge::kNatsPerNumber ? 1 : 0;
   });
   std::vector<Candidate> kept;
@@ -85,11 +79,7 @@ void lookCloser(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   std::vector<Candidate> nearer =
       nearerThanBefore(exact, singles, rank(closely, hypotheses, where, progress), progress);
   polish(exact, gaps, nearer, where, progress);
-  for (Candidate& found : nearer) {
-    Candidate& before = *sameForm(singles, found);
-    if (better(found, before)) before = std::move(found);
-  }
-  sortByMerit(singles);
+  takeBetter(std::move(nearer), singles);
 }
 
 }  // namespace gap

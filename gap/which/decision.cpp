@@ -62,21 +62,13 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   }
   sortByMerit(improved);
   polish(exact, gaps, improved, where, progress);
-  for (Candidate& candidate : improved) {
-    const auto single = std::find_if(singles.begin(), singles.end(), [&](const Candidate& c) {
-      return formOf(c.hypothesis) == formOf(candidate.hypothesis);
-    });
-    if (better(candidate, *single)) *single = std::move(candidate);
-  }
-  sortByMerit(singles);
+  takeBetter(std::move(improved), singles);
 }
 
 /// Puts a cause before all others, in place of the same one with other values, if it is better than the best of them.
 void takeTheLead(Candidate candidate, std::vector<Candidate>& singles) {
   if (!better(candidate, singles.front())) return;
-  const auto same = std::find_if(singles.begin(), singles.end(), [&](const Candidate& single) {
-    return formOf(single.hypothesis) == formOf(candidate.hypothesis);
-  });
+  const auto same = singles.begin() + static_cast<std::ptrdiff_t>(placeOfForm(singles, candidate));
   *same = std::move(candidate);
   std::rotate(singles.begin(), same, same + 1);
 }

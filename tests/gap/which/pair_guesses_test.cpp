@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gap/small_world.h"
+#include "tests/gap/usual_causes.h"
 
 namespace {
 
@@ -20,11 +21,6 @@ class GuessedPairs {
                const std::string& last, const std::map<std::string, double>& sensor = {})
       : measured_(world.measuredBy(SmallWorld::modelWith(truth, sensor), 0.4)),
         replay_(measured_, SmallWorld::modelWith({}, sensor)) {
-    for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay_, {})) {
-      std::vector<double> values;
-      for (const gap::FreeParameter& parameter : hypothesis.parameters) values.push_back(parameter.start);
-      singles_.push_back({.hypothesis = hypothesis, .values = values});
-    }
     const auto is = [](const std::string& name) {
       return [name](const gap::Candidate& c) { return c.hypothesis.name == name; };
     };
@@ -40,7 +36,7 @@ class GuessedPairs {
   gap::Replay replay_;
   gap::Split split_ = gap::splitOf(replay_, 1);
   gap::Judge judge_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
-  std::vector<gap::Candidate> singles_;
+  std::vector<gap::Candidate> singles_ = test_support::usualCauses(replay_);
   core::SilentProgress progress_;
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gap/small_world.h"
+#include "tests/gap/usual_causes.h"
 
 namespace {
 
@@ -15,13 +16,7 @@ class BesideAKnownCause {
   /// The world lives longer.
   BesideAKnownCause(const SmallWorld& world, const SmallWorld::Effects& truth)
       : measured_(world.measuredBy(SmallWorld::modelWith(truth, SmallWorld::narrowView()), 0.4)),
-        replay_(measured_, SmallWorld::modelWith({}, SmallWorld::narrowView())) {
-    for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay_, {})) {
-      std::vector<double> values;
-      for (const gap::FreeParameter& parameter : hypothesis.parameters) values.push_back(parameter.start);
-      singles_.push_back({.hypothesis = hypothesis, .values = values});
-    }
-  }
+        replay_(measured_, SmallWorld::modelWith({}, SmallWorld::narrowView())) {}
 
   [[nodiscard]] std::vector<gap::Found> foundBeside(const std::string& name, const std::vector<double>& values) {
     return gap::searchedBeside(judge_, knownAs(name, values), singles_, progress_);
@@ -49,7 +44,7 @@ class BesideAKnownCause {
   gap::Replay replay_;
   gap::Split split_ = gap::splitOf(replay_, 1);
   gap::Judge judge_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
-  std::vector<gap::Candidate> singles_;
+  std::vector<gap::Candidate> singles_ = test_support::usualCauses(replay_);
   core::SilentProgress progress_;
 };
 
