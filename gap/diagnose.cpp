@@ -21,13 +21,12 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kPairBelief = 0.8;    // of the belief in one cause: either of the two may be another one
-constexpr double kWeakBelief = 0.75;   // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.5;    // of a cause that is named because nothing else is left: it explains little
-constexpr double kMostUnknown = 0.55;  // belief that no cause of the library is at work
-constexpr double kFramesBelief = 0.7;  // that it is none, where whole frames deviate together
+constexpr double kPairBelief = 0.8;     // of the belief in one cause: either of the two may be another one
+constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
+constexpr double kLeastNamed = 0.5;     // of a cause that is named because nothing else is left: it explains little
+constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
-constexpr double kNoneBelief = 0.7;    // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kNoneBelief = 0.8;    // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
@@ -318,8 +317,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
   } else if (verdict.kind == VerdictKind::kNone) {
     verdict.confidence = kNoneBelief;
   } else {
-    const double named = decision.singles.empty() ? 0.0 : beliefIn(judge, decision.singles.front());
-    verdict.confidence = decision.frames_move ? kFramesBelief : std::clamp(1.0 - named, 0.3, kMostUnknown);
+    verdict.confidence = kUnknownBelief;
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.evidence = evidenceOf(judge, decision);

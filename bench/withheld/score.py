@@ -166,6 +166,14 @@ def programs_differ(row):
     return names_one and row["generator"] != "own" and row.get("oracle") is not None and row["oracle"] <= 0
 
 
+SAID = ("none", "unknown", "one effect", "two effects", "parameter", "reference")
+
+
+def kind_said(row):
+    """What the verdict says, one of SAID: kinds of verdict are believed by how often they were right."""
+    return row["kind"] if not claims_effect(row) else "one effect" if len(row["found"]) == 1 else "two effects"
+
+
 def confidently_wrong(row):
     return claims_effect(row) and row["confidence"] >= CONFIDENT
 
@@ -229,6 +237,7 @@ def table(rows):
         ("share of the oracle's shrink reached, median", ">= 0.97", number(chance.median(reached), len(reached))),
         ("parameters recovered, median relative error", "<= 0.05", number(chance.median(errors), len(errors))),
         ("expected calibration error of the confidence", "<= 0.04", number(ece, len(told))),
+        *((f"verdicts of this kind that are right: {said}", "", rate(told, lambda r: r["right"] if kind_said(r) == said else None)) for said in SAID),
         ("processor time of a diagnosis in s, median", "", number(chance.median([r["elapsed_s"] for r in rows]), len(rows))),
         ("processor time of a diagnosis in s, longest", "", number(max((r["elapsed_s"] for r in rows), default=None), len(rows))),
         ("memory of a diagnosis in MiB, most", "<= 2048", number(max((r["peak_mib"] for r in rows if r["peak_mib"]), default=None), len(rows))),

@@ -1,10 +1,12 @@
 #include "gap/which/counter.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "gap/which/partners.h"
 #include "gap/which/rivals.h"
 #include "gap/which/second_cause.h"
+#include "gap/which/second_search.h"
 
 namespace gap {
 
@@ -19,15 +21,13 @@ auto counterIn(Candidates& candidates) {
                       [](const Candidate& candidate) { return candidate.hypothesis.seen_in_values; });
 }
 
-}  // namespace
+bool leads(const Candidate& counter, const std::vector<Candidate>& singles) {
+  return counter.hypothesis.name == singles.front().hypothesis.name;
+}
 
-bool showACounter(const std::vector<Candidate>& singles) { return counterIn(singles) != singles.end(); }
-
-std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-                                        const WhereResult& where, const std::vector<Candidate>& singles,
-                                        const core::Progress& progress) {
-  const Candidate &best = singles.front(), &counter = *counterIn(singles);
-  if (counter.hypothesis.name == best.hypothesis.name) return {};
+/// With the best causes as they were fitted alone.
+std::vector<Candidate> withTheBest(const Judge& exact, const Candidate& counter,
+                                   const std::vector<Candidate>& singles) {
   std::vector<Candidate> pairs;
   for (const Candidate& single : singles) {
     if (pairs.size() == kPartners) break;
@@ -35,6 +35,20 @@ std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, 
     pairs.push_back(pairOf(single, counter));
     exact.hear(pairs.back());
   }
+  return pairs;
+}
+
+}  // namespace
+
+bool showACounter(const std::vector<Candidate>& singles) { return counterIn(singles) != singles.end(); }
+
+std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                        const WhereResult& where, const std::vector<Candidate>& singles,
+                                        core::Progress& progress) {
+  const Candidate &best = singles.front(), &counter = *counterIn(singles);
+  std::vector<Candidate> pairs = pairsBeside(quick, exact, counter, singles, progress);
+  if (!leads(counter, singles)) std::ranges::move(withTheBest(exact, counter, singles), std::back_inserter(pairs));
+  if (pairs.empty()) return {};
   sortByMerit(pairs);
   polish(exact, gaps, pairs, where, progress);
   leadByEffects(quick, exact, pairs);
@@ -44,10 +58,11 @@ std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, 
                                                                                               : pairs;
 }
 
-bool earnsBesideTheCounter(const Judge& exact, const Candidate& pair) {
+bool earnsBesideTheCounter(const Judge& exact, const std::vector<Candidate>& singles, const Candidate& pair) {
   std::vector<Candidate> members = membersOf(pair);
   Candidate& counter = *counterIn(members);
   exact.hear(counter);
+  if (leads(counter, singles)) return provesItsSecond(exact, singles.front(), pair, singles.size());
   const auto more = static_cast<double>(pair.values.size() - counter.values.size());
   return counter.discrepancy - pair.discrepancy >= Judge::kNatsPerNumber * more;
 }

@@ -14,14 +14,15 @@ class HeldOutGaps;
 /// below.
 [[nodiscard]] bool showACounter(const std::vector<Candidate>& singles);
 
-/// The counter in pairs with the best causes, best first: with the best one, and with those that may stand in that
-/// one's place. None if the best cause is the counter, or if with it cells agree less than without, or the total gap is
-/// larger.
+/// The counter in pairs, best first: with the best cause, with those that may stand in its place, and with what a
+/// search beside the counter finds. None if with it cells agree less than without, or the total gap is larger.
 [[nodiscard]] std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                                                       const WhereResult& where, const std::vector<Candidate>& singles,
-                                                      const core::Progress& progress);
-/// Whether the other member of such a pair brings what its numbers cost; otherwise the counter is all.
-[[nodiscard]] bool earnsBesideTheCounter(const Judge& exact, const Candidate& pair);
+                                                      core::Progress& progress);
+/// Whether the other member of such a pair brings what its numbers cost, or, where the counter is the best of all
+/// causes, proves itself (provesItsSecond); otherwise the counter is all.
+[[nodiscard]] bool earnsBesideTheCounter(const Judge& exact, const std::vector<Candidate>& singles,
+                                         const Candidate& pair);
 /// The counter comes first.
 void leadByTheCounter(std::vector<Candidate>& singles);
 

@@ -24,7 +24,7 @@ CrossFit::CrossFit(const Judge& quick, const Judge& exact, std::size_t runs)
     : quick_(quick),
       exact_(exact),
       exchanged_(exchanged(exact.split)),
-      nulls_(exact.replay, bySample(exchanged_.held_out), runs) {}
+      nulls_(exact.replay, exact.replay.baseline(), bySample(exchanged_.held_out), runs) {}
 
 bool CrossFit::applies(const Judge& judge, const Hypothesis& hypothesis) {
   return !judge.split.weak && !hypothesis.per_setup;

@@ -13,6 +13,7 @@
 #include "gap/which/pairs.h"
 #include "gap/which/partners.h"
 #include "gap/which/second_cause.h"
+#include "gap/which/second_search.h"
 #include "gap/which/significance.h"
 
 namespace gap {
@@ -21,8 +22,6 @@ namespace {
 
 constexpr double kAccountsFor = 0.7;   // of the gap: what accounts for less is as likely wrong as right
 constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
-constexpr double kByChance = 0.01;     // that any of the causes tried gains so much where nothing is missing
-constexpr double kNotOneSample = 3.0;  // standard deviations of the gain of a small cause without its best sample
 constexpr double kLeastShrink = 0.05;  // of the total gap: of causes that move rays: less may be how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
@@ -73,12 +72,6 @@ void takeTheLead(Candidate candidate, std::vector<Candidate>& singles) {
   std::rotate(singles.begin(), same, same + 1);
 }
 
-/// A gain that noise of the baseline makes for none of so many causes, and nothing left that the cause itself would not
-/// leave.
-bool nothingElse(const Significance& significance, std::size_t causes) {
-  return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
-}
-
 /// All causes alone, best first. A reference that turns out to stand within what is recorded of it is none.
 std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                                    const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
@@ -91,10 +84,6 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
   };
   if (std::erase_if(singles, no_error) > 0) polish(exact, gaps, singles, where, progress);
   return singles;
-}
-
-bool provesItself(const Significance& significance, std::size_t causes) {
-  return significance.gain > 0.0 && nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
 }
 
 /// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
@@ -185,6 +174,15 @@ double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
 }
 
+/// The best cause with what a second search finds beside it, where its own noise hides that. References take long, and
+/// are corrected first where one is wrong.
+std::vector<Candidate> smallSeconds(const Judge& quick, const Judge& exact, std::vector<Candidate> singles,
+                                    core::Progress& progress) {
+  const Candidate best = singles.front();
+  std::erase_if(singles, [](const Candidate& single) { return single.hypothesis.kind == CauseKind::kReference; });
+  return pairsBeside(quick, exact, best, singles, progress);
+}
+
 /// Names the first of some pairs; others of them may stand in a member's place.
 void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, Decision& decision) {
   decision.name(pairs.front());
@@ -196,9 +194,11 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
-  if (!roomForASecond(exact, decision.singles.front())) return false;
+  const bool room = roomForASecond(exact, decision.singles.front());
+  if (!room && !mayHideASecond(exact, decision.singles.front())) return false;
   core::PartOfProgress part(progress, 0.6, 0.85);
-  std::vector<Candidate>& pairs = decision.pairs = rankPairs(quick, decision.singles, part);
+  std::vector<Candidate>& pairs = decision.pairs =
+      room ? rankPairs(quick, decision.singles, part) : smallSeconds(quick, exact, decision.singles, part);
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
   polish(exact, gaps, pairs, where, progress);
   if (pairs.empty()) return false;
@@ -207,8 +207,9 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
   const Candidate &pair = pairs.front(), &best = decision.singles.front();
-  if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair ||
-      !earnsItsSecond(quick, exact, best, pair))
+  if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;
+  if (!(room && earnsItsSecond(quick, exact, best, pair)) &&
+      !provesItsSecond(exact, best, pair, decision.singles.size()))
     return false;
   nameFirstOf(pairs, quick, exact, decision);
   return true;
@@ -217,7 +218,7 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
 /// Names the best single cause if it accounts for enough, or if nothing else is left; a counter that the values show in
 /// any case, and what earns its place beside it.
 void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
-                 Decision& decision, const core::Progress& progress) {
+                 Decision& decision, core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
   const Candidate& best = decision.singles.front();
   const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
@@ -228,7 +229,7 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
   if (!explains && !counted) return;
   if (counted) {
     auto pairs = besideTheCounter(quick, exact, gaps, where, decision.singles, progress);
-    if (!pairs.empty() && earnsBesideTheCounter(exact, pairs.front())) {
+    if (!pairs.empty() && earnsBesideTheCounter(exact, decision.singles, pairs.front())) {
       nameFirstOf(pairs, quick, exact, decision);
       decision.pairs.insert(decision.pairs.begin(), pairs.begin(), pairs.end());
       return;

@@ -9,7 +9,8 @@ namespace gap {
 
 namespace {
 
-constexpr double kMuchClearer = 3.0;  // so much more must one part of the samples show than the other
+constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
+constexpr double kHardlyByChance = 0.01;  // of a gap that is not beyond doubt: a second search is worth its time
 
 /// Whether a deviation, in standard deviations, is beyond doubt in one part of the samples, and far from it in the
 /// other.
@@ -53,6 +54,12 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
          (!decision.winner && leavesOnePart(nearestToFitted(quick, decision.singles)));
 }
 
+/// Whether held-out samples differ by more than chance though no cause was found that makes them: what acts there alone
+/// could not be fitted.
+bool mayHideInHeldOut(const Judge& judge, const Decision& decision) {
+  return !judge.split.weak && decision.kind == VerdictKind::kNone && judge.yardstick.p_value() < kHardlyByChance;
+}
+
 }  // namespace
 
 Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
@@ -65,17 +72,20 @@ Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without)
 
 Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear, const WhereResult& where,
               const std::vector<Hypothesis>& hypotheses, const Ablation& without, core::Progress& progress) {
-  if (!clear) {
-    return {quick, exact, decide(withoutEdges(quick), withoutEdges(exact), gaps, clear, where, hypotheses, progress)};
-  }
-  Decision decision = decide(quick, exact, gaps, clear, where, hypotheses, progress);
-  if (!leavesOnePartOnly(quick, exact, decision)) return {quick, exact, std::move(decision)};
+  const auto decided = [&](const Judge& few_beams, const Judge& judge) {
+    return clear ? decide(few_beams, judge, gaps, clear, where, hypotheses, progress)
+                 : decide(withoutEdges(few_beams), withoutEdges(judge), gaps, clear, where, hypotheses, progress);
+  };
+  Ruling by_samples{quick, exact, decided(quick, exact)};
+  const bool open =
+      clear ? leavesOnePartOnly(quick, exact, by_samples.decision) : mayHideInHeldOut(exact, by_samples.decision);
+  if (!open) return by_samples;
   progress.report(0.1, "judging by beams: what is left shows in some of the samples only");
   Judge by_beams = judgeByBeams(exact.replay, exact.split.fitted.seed, without);
   by_beams.weight_of_total = exact.weight_of_total;
   const Judge quick_by_beams{quick.replay, by_beams.split, yardstickOf(quick.replay, by_beams.split.held_out)};
-  Decision other = decide(quick_by_beams, by_beams, gaps, clear, where, hypotheses, progress);
-  if (!other.winner) return {quick, exact, std::move(decision)};
+  Decision other = decided(quick_by_beams, by_beams);
+  if (!other.winner) return by_samples;
   return {quick_by_beams, by_beams, std::move(other)};
 }
 

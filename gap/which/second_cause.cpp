@@ -18,6 +18,9 @@ constexpr double kLeastGain = 0.05;      // in that,
 constexpr double kNearlyAll = 0.8;       // or take so much of what it leaves,
 constexpr double kTotalGain = 0.35;      // of the total gap, which counts what no physics explains too, even more
 constexpr double kSecondProven = 4.0;    // standard deviations by which a pair must be nearer than its better member
+constexpr double kNoisier = 3.0;         // standard deviations of a right model's noise: a cause's own is larger
+constexpr std::size_t kNoiseRuns = 10;
+constexpr double kOfTheWay = 0.75;  // from what a pair gains where its second is not there to where it is
 
 /// What a candidate leaves on the held-out samples: of the discrepancy, and of the total gap (formats.md section 6)
 /// beyond what a right model keeps.
@@ -92,6 +95,12 @@ bool roomForASecond(const Judge& judge, const Candidate& best) {
   return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
 }
 
+bool mayHideASecond(const Judge& judge, const Candidate& best) {
+  const World world = worldOf(judge.replay, best.hypothesis, best.values);
+  const double more = ownNoiseOf(judge, world, kNoiseRuns).mean - judge.yardstick.perfect;
+  return best.hypothesis.kind == CauseKind::kEffect && more > kNoisier * judge.yardstick.perfect_spread;
+}
+
 Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair) {
   std::vector<Candidate> members = membersOf(pair);
   for (Candidate& member : members) {
@@ -100,6 +109,17 @@ Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candid
   }
   sortByMerit(members);
   return members.front();
+}
+
+bool provesItsSecond(const Judge& exact, const Candidate& single, const Candidate& pair, std::size_t causes) {
+  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(single.values.size());
+  if (single.discrepancy - pair.discrepancy < Judge::kNatsPerNumber * std::max(1.0, more)) return false;
+  if (pair.total_left > single.total_left + kMaterialRest) return false;
+  const World first = worldOf(exact.replay, single.hypothesis, single.values);
+  const World both = worldOf(exact.replay, pair.hypothesis, pair.values);
+  const Significance second = significanceOf(exact, pair, nullRunsOf(exact, first));
+  const double whole_way = gainWereItRight(exact, first, both) - second.by_chance;
+  return provesItself(second, causes) && second.gain - second.by_chance >= kOfTheWay * whole_way;
 }
 
 bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {

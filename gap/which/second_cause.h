@@ -4,9 +4,6 @@
 
 namespace gap {
 
-/// Standard deviations: no more is left than a cause leaves under its own noise.
-inline constexpr double kNoRest = 3.0;
-
 /// Of the total gap: two causes that leave more are not the causes.
 inline constexpr double kMostRestOfPair = 0.5;
 
@@ -14,6 +11,10 @@ inline constexpr double kMostRestOfPair = 0.5;
 /// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
 /// all data are pooled.
 [[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best);
+
+/// Whether a cause scatters so much more than a right model that its noise may hide what else is missing: what speckle
+/// leaves is never a gap.
+[[nodiscard]] bool mayHideASecond(const Judge& judge, const Candidate& best);
 
 /// The member of a pair that is better alone, with the values that it has there, by all beams: what few beams show (two
 /// echoes that merge in one column) may have been found beside another cause only.
@@ -23,5 +24,11 @@ inline constexpr double kMostRestOfPair = 0.5;
 /// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair);
+
+/// Whether a pair gains over a single cause what chance gives none of so many causes, as much of it as a second cause
+/// that is there would bring, and leaves nothing. This sees a second cause that is in no rest: the noise of the first
+/// one (speckle, lost shots) hides it, and cancels where both worlds are simulated with the same random numbers.
+[[nodiscard]] bool provesItsSecond(const Judge& exact, const Candidate& single, const Candidate& pair,
+                                   std::size_t causes);
 
 }  // namespace gap

@@ -57,4 +57,21 @@ std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known, co
   return found;
 }
 
+std::vector<Candidate> pairsBeside(const Judge& quick, const Judge& exact, const Candidate& known,
+                                   const std::vector<Candidate>& singles, core::Progress& progress) {
+  Candidate alone = known;
+  exact.hear(alone);
+  std::vector<Candidate> pairs;
+  for (const Found& found : searchedBeside(quick, known, singles, progress)) {
+    Candidate second = singles[found.single];
+    second.values = found.values;
+    Candidate pair = pairOf(known, second);
+    exact.hear(pair);
+    const double price = Judge::kNatsPerNumber * static_cast<double>(second.values.size());
+    if (pair.discrepancy + price < alone.discrepancy) pairs.push_back(std::move(pair));
+  }
+  sortByMerit(pairs);
+  return pairs;
+}
+
 }  // namespace gap

@@ -18,4 +18,9 @@ struct Found {
 [[nodiscard]] std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known,
                                                 const std::vector<Candidate>& singles, core::Progress& progress);
 
+/// The known cause in pairs with those of them that bring more than they cost on held-out samples, too, as `exact`
+/// judges these; best merit first.
+[[nodiscard]] std::vector<Candidate> pairsBeside(const Judge& quick, const Judge& exact, const Candidate& known,
+                                                 const std::vector<Candidate>& singles, core::Progress& progress);
+
 }  // namespace gap

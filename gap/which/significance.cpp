@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "gap/replay/statistics.h"
 
 namespace gap {
 
@@ -16,43 +15,57 @@ constexpr std::size_t kRuns = 40;  // of the null: their spread is known to a te
 constexpr std::size_t kRoughRuns = 8;
 constexpr std::size_t kRunsApart = 8;  // of two causes
 constexpr double kBeyondDoubt = 4.0;   // standard deviations: told apart, whatever the other samples say
+constexpr double kByChance = 0.01;     // that any of the causes tried gains so much where it is not at work
+constexpr double kNotOneSample = 3.0;  // standard deviations of the gain of a small cause without its best sample
 
 constexpr std::uint64_t kFirstSeed = 3000;
 
 std::uint64_t seedOf(const Evidence& evidence, std::size_t run) { return evidence.seed + kFirstSeed + run; }
 
-/// Of the gain of all parts but one (all, if there is no such part).
-double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
-  const auto sum = [&](const std::vector<double>& of_parts) {
-    double total = 0.0;
-    for (std::size_t p = 0; p < of_parts.size(); ++p) total += p == left_out ? 0.0 : of_parts[p];
-    return total;
-  };
+double sumOf(const std::vector<double>& of_parts, std::size_t left_out) {
+  double total = 0.0;
+  for (std::size_t p = 0; p < of_parts.size(); ++p) total += p == left_out ? 0.0 : of_parts[p];
+  return total;
+}
+
+/// By chance, of all parts but one (all, if there is no such part).
+Distribution byChance(const NullRuns::Gains& gains, std::size_t left_out) {
   std::vector<double> totals;
-  for (const auto& run : gains.by_chance) totals.push_back(sum(run));
-  return Distribution(totals).z(sum(gains.observed));
+  for (const auto& run : gains.by_chance) totals.push_back(sumOf(run, left_out));
+  return Distribution(totals);
+}
+
+/// The same of the gain, in standard deviations.
+double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
+  return byChance(gains, left_out).z(sumOf(gains.observed, left_out));
 }
 
 }  // namespace
 
-NullRuns::NullRuns(const Replay& replay, std::vector<Evidence> parts, std::size_t runs)
-    : replay_(&replay), parts_(std::move(parts)), without_(runs) {
-  const World& baseline = replay.baseline();
+bool nothingElse(const Significance& significance, std::size_t causes) {
+  return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
+}
+
+bool provesItself(const Significance& significance, std::size_t causes) {
+  return significance.gain > 0.0 && nothingElse(significance, causes) && significance.without_best_z > kNotOneSample;
+}
+
+NullRuns::NullRuns(const Replay& replay, World null, std::vector<Evidence> parts, std::size_t runs)
+    : replay_(&replay), null_(std::move(null)), parts_(std::move(parts)), without_(runs) {
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
     for (const Evidence& part : parts_)
-      without_[run].push_back(discrepancyIn(replay, baseline, baseline, part, seedOf(part, run)));
+      without_[run].push_back(discrepancyIn(replay, null_, null_, part, seedOf(part, run)));
   });
 }
 
 NullRuns::Gains NullRuns::gainsOf(const World& world) const {
-  const World& baseline = replay_->baseline();
   Gains gains{{}, without_};
   core::parallelFor(runs(), 1, [&](std::size_t run, std::size_t) {
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      gains.by_chance[run][p] -= discrepancyIn(*replay_, baseline, world, parts_[p], seedOf(parts_[p], run));
+      gains.by_chance[run][p] -= discrepancyIn(*replay_, null_, world, parts_[p], seedOf(parts_[p], run));
   });
   for (const Evidence& part : parts_)
-    gains.observed.push_back(discrepancyOf(*replay_, baseline, part) - discrepancyOf(*replay_, world, part));
+    gains.observed.push_back(discrepancyOf(*replay_, null_, part) - discrepancyOf(*replay_, world, part));
   return gains;
 }
 
@@ -74,15 +87,23 @@ NullRuns::Gains joined(NullRuns::Gains gains, const NullRuns::Gains& more) {
   return gains;
 }
 
-NullRuns nullRunsOf(const Judge& judge) { return {judge.replay, bySample(judge.split.held_out), kRuns}; }
+NullRuns nullRunsOf(const Judge& judge) { return nullRunsOf(judge, judge.replay.baseline()); }
+
+NullRuns nullRunsOf(const Judge& judge, const World& null) {
+  return {judge.replay, null, bySample(judge.split.held_out), kRuns};
+}
+
+Distribution ownNoiseOf(const Judge& judge, const World& world, std::size_t runs) {
+  const Evidence& held_out = judge.split.held_out;
+  std::vector<double> distances(runs);
+  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
+    distances[run] = discrepancyIn(judge.replay, world, world, held_out, seedOf(held_out, run));
+  });
+  return Distribution(distances);
+}
 
 double restOf(const Judge& judge, const World& world, std::size_t runs) {
-  const Evidence& held_out = judge.split.held_out;
-  std::vector<double> rests(runs);
-  core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
-    rests[run] = discrepancyIn(judge.replay, world, world, held_out, seedOf(held_out, run));
-  });
-  return Distribution(rests).z(discrepancyOf(judge.replay, world, held_out));
+  return ownNoiseOf(judge, world, runs).z(discrepancyOf(judge.replay, world, judge.split.held_out));
 }
 
 double restOf(const Judge& judge, const Candidate& candidate) {
@@ -94,11 +115,13 @@ Significance significanceOf(const NullRuns::Gains& gains, double rest_z) {
   const auto best =
       static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
   const double z = zOf(gains, parts);
-  return {.gain = std::accumulate(gains.observed.begin(), gains.observed.end(), 0.0),
+  const bool acts_elsewhere = parts > 1 && byChance(gains, best).stddev > 0.0;
+  return {.gain = sumOf(gains.observed, parts),
+          .by_chance = byChance(gains, parts).mean,
           .improvement_z = z,
           .p_value = upperTail(z, gains.by_chance.size()),
           .rest_z = rest_z,
-          .without_best_z = parts > 1 ? zOf(gains, best) : z};
+          .without_best_z = acts_elsewhere ? zOf(gains, best) : z};
 }
 
 Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls) {
@@ -107,7 +130,7 @@ Significance significanceOf(const Judge& judge, const Candidate& candidate, cons
 }
 
 std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates) {
-  const NullRuns nulls(judge.replay, {judge.split.held_out}, kRoughRuns);
+  const NullRuns nulls(judge.replay, judge.replay.baseline(), {judge.split.held_out}, kRoughRuns);
   std::vector<double> improvements;
   for (const Candidate& candidate : candidates) {
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
@@ -121,7 +144,8 @@ namespace {
 /// How much farther from some evidence one candidate is than another.
 struct Apart {
   double difference = 0.0;
-  double variance = 0.0;  ///< of it, were the first one right
+  double expected = 0.0;  ///< of it, were the first one right
+  double variance = 0.0;  ///< of it then
 
   [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
 };
@@ -133,11 +157,16 @@ Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best,
     differences[run] =
         discrepancyIn(replay, best, rival, evidence, seed) - discrepancyIn(replay, best, best, evidence, seed);
   });
-  const double stddev = Distribution(differences).stddev;
-  return {discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence), stddev * stddev};
+  const Distribution were_it_right(differences);
+  return {discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence), were_it_right.mean,
+          were_it_right.stddev * were_it_right.stddev};
 }
 
 }  // namespace
+
+double gainWereItRight(const Judge& judge, const World& null, const World& world) {
+  return apartOn(judge.replay, judge.split.held_out, world, null).expected;
+}
 
 double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
   const Replay& replay = judge.replay;

@@ -239,6 +239,16 @@ class Rules(unittest.TestCase):
         self.assertEqual(shown["pair: both found, each with s >= 2 beside the other"], (0.5, 2))
         self.assertEqual(shown["pair: both found, the weaker one with s < 2"], (0.0, 1))
 
+    def test_how_often_a_kind_of_verdict_is_right_is_counted_by_what_it_says(self):
+        rows = [{**score.judge({"id": "1", "class": "pair", "name": "two", "family": "street", "generator": "own", "truth": truth("effect", *really),
+                                "severity": {"value": 9, "bin": 4}},
+                               {"status": "done", "elapsed_s": 1.0, "report": {"verdict": said}}), "peak_mib": 1}
+                for really, said in (("ab", verdict("effect", "a")), ("a", verdict("effect", "a")), ("ab", verdict("effect", "ab")),
+                                     ("a", verdict("none", [])))]
+        shown = {what.split(": ")[-1]: (result["value"], result["n"]) for what, _, result in score.table(rows) if "of this kind" in what}
+        self.assertEqual(shown, {"one effect": (0.5, 2), "two effects": (1.0, 1), "none": (0.0, 1), "unknown": (None, 0), "parameter": (None, 0),
+                                 "reference": (None, 0)})
+
     def test_none_and_unknown_are_kinds(self):
         self.assertTrue(score.named_first(truth("none"), verdict("none", [])))
         self.assertFalse(score.named_first(truth("unknown"), verdict("none", [])))

@@ -322,6 +322,25 @@ TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
   EXPECT_TRUE(diagnosis.weak_hold_out);
 }
 
+// 50.3 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
+// of all held-out cells that is no gap beyond doubt, and no even search of the others leads there.
+TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {
+  const auto narrow = SmallWorld::narrowView();
+  const SmallWorld world;
+  model::Experiment experiment =
+      world.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0503}}}}, narrow), 0.4);
+  for (model::Sample& sample : experiment.samples) {
+    if (sample.id == "r8" || sample.id == "r13") sample.role = model::Role::kPrediction;
+    if (sample.id == "r36") sample.role = model::Role::kValidation;
+  }
+  const gap::Diagnosis diagnosis =
+      diagnosed(experiment, SmallWorld::modelWith({}, narrow), {"aperture-offset", "atmospheric-attenuation"});
+  ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.0503, 0.0003);
+  EXPECT_LT(diagnosis.verdict.evidence.gap_z, gap::Yardstick::kClear_z);
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+}
+
 TEST(Diagnose, NamesASecondCauseThatPooledDataHide) {
   SmallWorld world;
   world.knownToWithin(0.025);

@@ -27,7 +27,7 @@ class Counter {
     return candidate("/sensor/detection/range_noise_m", 0.02, total_left);
   }
   [[nodiscard]] std::vector<gap::Candidate> pairsOf(const std::vector<gap::Candidate>& singles) const {
-    const core::SilentProgress progress;
+    core::SilentProgress progress;
     const gap::HeldOutGaps gaps(replay_, judge_.split.held_out.samples, 1);
     const gap::WhereResult where = gap::whereIn(replay_, replay_.baseline(), 1);
     return gap::besideTheCounter(judge_, judge_, gaps, where, singles, progress);
@@ -35,7 +35,14 @@ class Counter {
   [[nodiscard]] bool earns(const gap::Candidate& beside) const {
     gap::Candidate pair = gap::pairOf(beside, counter());
     judge_.hear(pair);
-    return gap::earnsBesideTheCounter(judge_, pair);
+    return earns({beside, counter()}, pair);
+  }
+  [[nodiscard]] bool earns(const std::vector<gap::Candidate>& singles, const gap::Candidate& pair) const {
+    return gap::earnsBesideTheCounter(judge_, singles, pair);
+  }
+  [[nodiscard]] gap::Candidate heard(gap::Candidate candidate) const {
+    judge_.hear(candidate);
+    return candidate;
   }
 
  private:
@@ -67,9 +74,21 @@ TEST(BesideACounter, ATotalGapThatTheBestCauseLeavesAsWellDoesNotSpeakAgainstIt)
   EXPECT_TRUE(brighter.pairsOf({brighter.noise(0.3), brighter.counter()}).empty());
 }
 
-TEST(BesideACounter, NothingIsPairedWithItWhereItIsTheBestCause) {
+TEST(BesideACounter, NothingIsPairedWithItThatBringsNothing) {
   const Counter alone({});
   EXPECT_TRUE(alone.pairsOf({alone.counter(), alone.noise()}).empty());
+}
+
+// Steps of 43.7 mm are most of what range cells show, and hide a haze that takes a few per cent of the power.
+TEST(BesideACounter, ASecondCauseIsFoundAndProvesItselfWhereTheCounterIsTheBestCause) {
+  const Counter hazy({{"atmospheric-attenuation", {{"visibility_m", 1500}}}});
+  const std::vector<gap::Candidate> singles = {hazy.heard(hazy.counter()),
+                                               hazy.heard(hazy.candidate("atmospheric-attenuation", 10000.0))};
+  const auto pairs = hazy.pairsOf(singles);
+  ASSERT_FALSE(pairs.empty());
+  EXPECT_EQ(pairs.front().hypothesis.members.at(1).name, "atmospheric-attenuation");
+  EXPECT_NEAR(pairs.front().values.at(1), 1500.0, 150.0);
+  EXPECT_TRUE(hazy.earns(singles, pairs.front()));
 }
 
 TEST(BesideACounter, ItLeadsWhereNothingEarnsItsPlaceThere) {

@@ -77,4 +77,37 @@ TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
   EXPECT_LT(member.total_left, 0.1);
 }
 
+/// Speckle of ten looks, whose own noise is larger than all that a haze does.
+class BesideSpeckle : public testing::Test {
+ protected:
+  [[nodiscard]] bool proves(double visibility_m, const SmallWorld::Effects& truth) const {
+    const auto measured = world_.measuredBy(SmallWorld::modelWith(truth), 0.4);
+    const gap::Replay replay(measured, SmallWorld::modelWith({}));
+    const gap::Split split = gap::splitOf(replay, 1);
+    const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+    const auto hypotheses = gap::hypothesesFor(replay, {"speckle", "atmospheric-attenuation"});
+    const auto candidate = [&](const std::string& name, double value) {
+      return gap::Candidate{.hypothesis = test_support::hypothesisNamed(hypotheses, name), .values = {value}};
+    };
+    gap::Candidate single = candidate("speckle", 10.0);
+    gap::Candidate pair = gap::pairOf(single, candidate("atmospheric-attenuation", visibility_m));
+    for (gap::Candidate* heard : {&single, &pair}) judge.hear(*heard);
+    single.total_left = pair.total_left = 0.0;
+    EXPECT_FALSE(gap::roomForASecond(judge, single));
+    return gap::provesItsSecond(judge, single, pair, hypotheses.size());
+  }
+
+  SmallWorld world_;
+  const SmallWorld::Effects speckle_ = {{"speckle", {{"looks", 10.0}}}};
+  const SmallWorld::Effects both_ = {{"speckle", {{"looks", 10.0}}},
+                                     {"atmospheric-attenuation", {{"visibility_m", 4000.0}}}};
+};
+
+TEST_F(BesideSpeckle, AHazeProvesItselfThoughNoRestShowsIt) { EXPECT_TRUE(proves(4000.0, both_)); }
+
+TEST_F(BesideSpeckle, NothingProvesItselfThatIsNotThere) { EXPECT_FALSE(proves(20000.0, speckle_)); }
+
+// It still brings the data nearer, but not by what it would bring if it were right: it may stand in for another cause.
+TEST_F(BesideSpeckle, ACauseThatBringsHalfOfWhatItShouldDoesNotProveItself) { EXPECT_FALSE(proves(2500.0, both_)); }
+
 }  // namespace
