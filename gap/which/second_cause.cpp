@@ -96,9 +96,10 @@ bool roomForASecond(const Judge& judge, const Candidate& best) {
 }
 
 bool mayHideASecond(const Judge& judge, const Candidate& best) {
+  if (best.hypothesis.kind != CauseKind::kEffect) return false;
   const World world = worldOf(judge.replay, best.hypothesis, best.values);
   const double more = ownNoiseOf(judge, world, kNoiseRuns).mean - judge.yardstick.perfect;
-  return best.hypothesis.kind == CauseKind::kEffect && more > kNoisier * judge.yardstick.perfect_spread;
+  return more > kNoisier * judge.yardstick.perfect_spread;
 }
 
 Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair) {

@@ -12,8 +12,8 @@ inline constexpr double kMostRestOfPair = 0.5;
 /// all data are pooled.
 [[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best);
 
-/// Whether a cause scatters so much more than a right model that its noise may hide what else is missing: what speckle
-/// leaves is never a gap.
+/// Whether an effect scatters so much more than a right model that its noise may hide what else is missing: what
+/// speckle leaves is never a gap.
 [[nodiscard]] bool mayHideASecond(const Judge& judge, const Candidate& best);
 
 /// The member of a pair that is better alone, with the values that it has there, by all beams: what few beams show (two

@@ -22,22 +22,18 @@ constexpr std::uint64_t kFirstSeed = 3000;
 
 std::uint64_t seedOf(const Evidence& evidence, std::size_t run) { return evidence.seed + kFirstSeed + run; }
 
+/// Of all parts but one (all, if there is no such part).
 double sumOf(const std::vector<double>& of_parts, std::size_t left_out) {
   double total = 0.0;
   for (std::size_t p = 0; p < of_parts.size(); ++p) total += p == left_out ? 0.0 : of_parts[p];
   return total;
 }
 
-/// By chance, of all parts but one (all, if there is no such part).
+/// The same of every run by chance.
 Distribution byChance(const NullRuns::Gains& gains, std::size_t left_out) {
   std::vector<double> totals;
   for (const auto& run : gains.by_chance) totals.push_back(sumOf(run, left_out));
   return Distribution(totals);
-}
-
-/// The same of the gain, in standard deviations.
-double zOf(const NullRuns::Gains& gains, std::size_t left_out) {
-  return byChance(gains, left_out).z(sumOf(gains.observed, left_out));
 }
 
 }  // namespace
@@ -114,14 +110,15 @@ Significance significanceOf(const NullRuns::Gains& gains, double rest_z) {
   const std::size_t parts = gains.observed.size();
   const auto best =
       static_cast<std::size_t>(std::max_element(gains.observed.begin(), gains.observed.end()) - gains.observed.begin());
-  const double z = zOf(gains, parts);
-  const bool acts_elsewhere = parts > 1 && byChance(gains, best).stddev > 0.0;
-  return {.gain = sumOf(gains.observed, parts),
-          .by_chance = byChance(gains, parts).mean,
+  const Distribution of_all = byChance(gains, parts), without_best = byChance(gains, best);
+  const double gain = sumOf(gains.observed, parts), z = of_all.z(gain);
+  const bool acts_elsewhere = parts > 1 && without_best.stddev > 0.0;
+  return {.gain = gain,
+          .by_chance = of_all.mean,
           .improvement_z = z,
           .p_value = upperTail(z, gains.by_chance.size()),
           .rest_z = rest_z,
-          .without_best_z = acts_elsewhere ? zOf(gains, best) : z};
+          .without_best_z = acts_elsewhere ? without_best.z(sumOf(gains.observed, best)) : z};
 }
 
 Significance significanceOf(const Judge& judge, const Candidate& candidate, const NullRuns& nulls) {
@@ -134,7 +131,8 @@ std::vector<double> roughImprovements(const Judge& judge, const std::vector<Cand
   std::vector<double> improvements;
   for (const Candidate& candidate : candidates) {
     const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
-    improvements.push_back(zOf(nulls.gainsOf(world), 1));
+    const NullRuns::Gains gains = nulls.gainsOf(world);
+    improvements.push_back(byChance(gains, 1).z(gains.observed.front()));
   }
   return improvements;
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <string>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -21,6 +23,13 @@ gap::Diagnosis diagnosed(const model::Experiment& experiment, const model::Lidar
                          std::vector<std::string> library = {}) {
   core::SilentProgress progress;
   return gap::diagnose(experiment, model, {.library = std::move(library)}, progress);
+}
+
+/// The same experiment with other roles of some samples, by their ids.
+model::Experiment withRoles(model::Experiment experiment, const std::map<std::string, model::Role>& roles) {
+  for (model::Sample& sample : experiment.samples)
+    if (const auto role = roles.find(sample.id); role != roles.end()) sample.role = role->second;
+  return experiment;
 }
 
 /// One effect, with the one number that it has.
@@ -290,11 +299,8 @@ TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
   const SmallWorld world;
   const auto truth = SmallWorld::modelWith(
       {{"clock-drift", {{"scale_ppm", 2000}}}, {"range-gating", {{"from_m", 0.0}, {"to_m", 40.0}}}});
-  model::Experiment experiment = world.measuredBy(truth, 0.4);
-  for (model::Sample& sample : experiment.samples) {
-    if (sample.id == "r46") sample.role = model::Role::kPrediction;
-    if (sample.id == "r36") sample.role = model::Role::kValidation;
-  }
+  const auto experiment =
+      withRoles(world.measuredBy(truth, 0.4), {{"r46", model::Role::kPrediction}, {"r36", model::Role::kValidation}});
   const gap::Diagnosis diagnosis = diagnosed(experiment, SmallWorld::modelWith({}));
   EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("clock-drift", "range-gating"));
   EXPECT_TRUE(diagnosis.weak_hold_out);
@@ -307,12 +313,9 @@ TEST(Diagnose, NamesASecondCauseThatShowsInHeldOutSamplesOnly) {
 TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
   const auto narrow = SmallWorld::narrowView();
   const SmallWorld world;
-  model::Experiment experiment =
-      world.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.054}}}}, narrow), 0.4);
-  for (model::Sample& sample : experiment.samples) {
-    if (sample.id == "r8") sample.role = model::Role::kPrediction;
-    if (sample.id == "r36") sample.role = model::Role::kValidation;
-  }
+  const auto truth = SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.054}}}}, narrow);
+  const auto experiment =
+      withRoles(world.measuredBy(truth, 0.4), {{"r8", model::Role::kPrediction}, {"r36", model::Role::kValidation}});
   auto recalibrated = narrow;
   recalibrated["/sensor/emitter/peak_power_w"] = 49.0;
   const gap::Diagnosis diagnosis =
@@ -327,12 +330,10 @@ TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
 TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {
   const auto narrow = SmallWorld::narrowView();
   const SmallWorld world;
-  model::Experiment experiment =
-      world.measuredBy(SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0503}}}}, narrow), 0.4);
-  for (model::Sample& sample : experiment.samples) {
-    if (sample.id == "r8" || sample.id == "r13") sample.role = model::Role::kPrediction;
-    if (sample.id == "r36") sample.role = model::Role::kValidation;
-  }
+  const auto truth = SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0503}}}}, narrow);
+  const auto experiment = withRoles(
+      world.measuredBy(truth, 0.4),
+      {{"r8", model::Role::kPrediction}, {"r13", model::Role::kPrediction}, {"r36", model::Role::kValidation}});
   const gap::Diagnosis diagnosis =
       diagnosed(experiment, SmallWorld::modelWith({}, narrow), {"aperture-offset", "atmospheric-attenuation"});
   ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
