@@ -185,7 +185,8 @@ gap::Law readLaw(JsonObject& json) {
   law.constant = json.numberOr("constant", 0.0);
   law.explained = json.numberOr("explained", 0.0);
   eachOf(json, "terms", [&](JsonObject& term) {
-    law.terms.push_back({term.text("covariate"), term.text("function"), term.number("coefficient")});
+    law.terms.push_back({term.text("covariate"), term.text("function"), term.number("coefficient"),
+                         term.numberOr("period", 0.0), term.numberOr("zero", 0.0)});
   });
   return law;
 }

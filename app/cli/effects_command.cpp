@@ -43,7 +43,8 @@ ordered_json toJson(const model::ListInfo& list) {
 
 ordered_json toJson(const model::EffectEntry& entry) {
   const model::EffectInfo& info = entry.info;
-  ordered_json json{{"name", info.name}, {"title", info.title}, {"stage", model::toString(info.stage)}};
+  ordered_json json{
+      {"name", info.name}, {"title", info.title}, {"summary", info.summary}, {"stage", model::toString(info.stage)}};
   json["percollect"] = info.percollect;
   json["parameters"] = ordered_json::array();
   for (const model::ParameterInfo& parameter : info.parameters)
@@ -65,7 +66,8 @@ const model::EffectEntry& entryOf(const std::string& name) {
 
 void printOne(std::ostream& out, const model::EffectEntry& entry) {
   const model::EffectInfo& info = entry.info;
-  out << fmt::format("{}: {}\n  stage       {}\n", info.name, info.title, model::toString(info.stage));
+  out << fmt::format("{}: {}\n  {}\n  stage       {}\n", info.name, info.title, info.summary,
+                     model::toString(info.stage));
   if (!info.percollect.empty()) out << fmt::format("  graph nodes {}\n", core::join(info.percollect));
   for (const model::ParameterInfo& p : info.parameters) {
     out << fmt::format("  {:<24} {:g} … {:g}{}{}{}\n{:27}{}\n", p.name, p.min, p.max,

@@ -63,9 +63,10 @@ double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
   return share > 0.0 ? std::min(1.0, share) : 1.0;
 }
 
+constexpr std::int32_t kNone = -1, kMixed = -2;
+
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
 std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
-  constexpr std::int32_t kNone = -1, kMixed = -2;
   double weight = 0.0;
   std::int32_t object = kNone;
   for (const model::Hit& hit : of_beam) {
@@ -76,8 +77,18 @@ std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& 
   return object == kNone || weight > kWholeBeam ? object : kMixed;
 }
 
+/// How far apart the nearest and the farthest point are that a beam meets.
+double stretchOf(const model::HitsOfBeam& of_beam) {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
+  for (const model::Hit& hit : of_beam) {
+    nearest = std::min(nearest, static_cast<double>(hit.range_m));
+    farthest = std::max(farthest, static_cast<double>(hit.range_m));
+  }
+  return farthest - nearest;
+}
+
 /// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.
-std::vector<bool> edgesOf(const model::BeamHits& hits) {
+std::vector<bool> edgesOf(const model::BeamHits& hits, const std::vector<std::int32_t>& sole) {
   constexpr double kNext = 2.2;  // steps of the scan
   std::vector<std::uint32_t> order(hits.beams.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -93,10 +104,8 @@ std::vector<bool> edgesOf(const model::BeamHits& hits) {
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     if (step(i) > 1e-6) least = std::min(least, step(i));
   }
-  std::vector<std::int32_t> sole(order.size());
-  for (std::uint32_t b = 0; b < order.size(); ++b) sole[b] = soleObject(hits.of(b), hits.rays);
   std::vector<bool> at_edge(order.size());
-  for (std::uint32_t b = 0; b < order.size(); ++b) at_edge[b] = sole[b] < -1;
+  for (std::uint32_t b = 0; b < order.size(); ++b) at_edge[b] = sole[b] == kMixed;
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     if (step(i) > kNext * least || sole[order[i]] == sole[order[i + 1]]) continue;
     at_edge[order[i]] = at_edge[order[i + 1]] = true;
@@ -144,18 +153,20 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     surfaces_ = 1;
     return;
   }
+  std::vector<std::int32_t> sole;
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) sole.push_back(soleObject(hits.of(b), hits.rays));
   first_.push_back(0);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
-                        surface.weight});
+                        surface.weight, sole[b] == kMixed || stretchOf(hits.of(b)) > width_m});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
   surfaces_ = cells_.size();
-  const std::vector<bool> at_edge = edgesOf(hits);
+  const std::vector<bool> at_edge = edgesOf(hits, sole);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b)
     cells_.push_back({.beam = b, .share = shareOfSecondWays(hits, b), .at_edge = at_edge[b]});
 }

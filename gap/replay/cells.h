@@ -31,8 +31,11 @@ struct Cell {
   double anchor_m = 0.0;     ///< range at which the surface is expected
   double incidence_rad = 0.0;
   double power_over_threshold = 0.0;  ///< of the baseline, before noise
-  double share = 1.0;    ///< of the beam, that meets the surface; of extra cells, that goes on behind panes or mirrors
-  bool at_edge = false;  ///< the beam, or the next one of its layer, is not wholly on one surface or on none
+  double share = 1.0;  ///< of the beam, that meets the surface; of extra cells, that goes on behind panes or mirrors
+  /// Two programs never agree on it. Of a surface: the beam is not wholly on it, or grazes it so flatly that what it
+  /// meets lies farther apart than the pulse is long. Of what is unexpected: the beam, or the next one of its layer, is
+  /// not wholly on one surface or on none.
+  bool at_edge = false;
 };
 
 /// Count, mean and spread of the detections of a cell over the frames.

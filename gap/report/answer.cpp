@@ -14,6 +14,8 @@ using report::Tone;
 
 namespace {
 
+constexpr double kSureEnough = 0.9;  // above it nobody is sent to measure again
+
 Html verdictBadge(VerdictKind kind) {
   switch (kind) {
     case VerdictKind::kNone:
@@ -59,6 +61,19 @@ std::string strengthText(const Diagnosis& diagnosis) {
   return all.empty() ? "" : core::join(all, ". ") + ".";
 }
 
+/// What the named effects are, for who never heard of them.
+std::string summaryText(const Diagnosis& diagnosis) {
+  std::vector<std::string> all;
+  for (const std::string& name : diagnosis.verdict.names) {
+    const std::string summary = causeSummary(name);
+    if (summary.empty()) continue;
+    std::string title = causeTitle(diagnosis, name);
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    all.push_back(diagnosis.verdict.names.size() > 1 ? title + ": " + summary : summary);
+  }
+  return core::join(all, " ");
+}
+
 /// What answers of one kind say with their confidence.
 const char* claimOf(const Verdict& verdict) {
   if (verdict.kind == VerdictKind::kNone) return "are right that nothing is missing";
@@ -69,8 +84,9 @@ const char* claimOf(const Verdict& verdict) {
 /// "Of ten diagnoses with this confidence about nine name the right cause."
 std::string confidenceMeaning(const Diagnosis& diagnosis) {
   const double confidence = diagnosis.verdict.confidence;
-  std::string text = fmt::format("{}: {}. Meant so that of 100 such answers about {:.0f} {}.", percent(confidence),
-                                 confidenceInWords(confidence), 100.0 * confidence, claimOf(diagnosis.verdict));
+  std::string text =
+      fmt::format("{}: {}. Of 100 such answers about {:.0f} {}, as far as this could be counted on made-up cases.",
+                  percent(confidence), confidenceInWords(confidence), 100.0 * confidence, claimOf(diagnosis.verdict));
   if (!diagnosis.verdict.indistinguishable_from.empty()) {
     std::vector<std::string> others;
     for (const std::string& name : diagnosis.verdict.indistinguishable_from)
@@ -162,7 +178,7 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
   } else if (kind == VerdictKind::kParameter) {
     items.push_back(report::text("Correct the number in experiment.json, and check it by a measurement of its own."));
   }
-  if (diagnosis.next_experiment) {
+  if (diagnosis.next_experiment && diagnosis.verdict.confidence < kSureEnough) {
     items.push_back(report::text("To be surer, measure once more: ") +
                     report::link("#next", "which setting separates the candidates best") + report::text("."));
   }
@@ -189,7 +205,8 @@ bool isNamed(const Diagnosis& diagnosis, const Cause& cause) {
 
 void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<report::KeyValue> facts;
-  const std::string strength = strengthText(diagnosis);
+  const std::string strength = strengthText(diagnosis), summary = summaryText(diagnosis);
+  if (!summary.empty()) facts.push_back({"What that is", report::text(summary)});
   if (!strength.empty()) facts.push_back({"How strong", report::text(strength)});
   facts.push_back({"How sure", report::text(confidenceMeaning(diagnosis))});
   if (diagnosis.after) facts.push_back({"How far the gap shrinks", report::text(shrinkText(diagnosis))});
@@ -204,6 +221,9 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
                                                        causeTitle(diagnosis, nearest.name),
                                                        percent(std::max(0.0, nearest.explained)), why_not))});
   }
+  if (diagnosis.verdict.kind == VerdictKind::kUnknown && diagnosis.rest && !diagnosis.rest->laws.empty())
+    facts.push_back(
+        {"A pattern in it", report::text("Measured minus simulated, " + patternText(diagnosis.rest->laws.front()))});
   if (diagnosis.present && !diagnosis.where.empty()) {
     const WhereRow& most = diagnosis.where.front();
     facts.push_back({"Where it shows most",

@@ -165,9 +165,10 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
     return;
   }
   page.lead(fmt::format(
-      "{} possible causes were tried, each with its strength fitted; here are the best. “Explains” is the share of "
-      "the difference, beam by beam, that vanishes with the cause; “shrinks” counts the pooled data.",
-      diagnosis.background.hypotheses));
+      "{} possible causes were tried, each with its strength fitted; here {}. “Explains” is the share of the "
+      "difference, beam by beam, that vanishes with the cause; “shrinks” counts the pooled data.",
+      diagnosis.background.hypotheses,
+      diagnosis.causes.size() == 1 ? "is the only one that explains any of it" : "are the best"));
   addChart(page, diagnosis);
   addTable(page, diagnosis);
   addConfusion(page, diagnosis);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "core/text.h"
@@ -14,7 +15,10 @@ using report::Html;
 
 namespace {
 
-std::string number(double value, const std::string& unit) { return withUnit(value, unit, 2); }
+double largestOf(const MeasurandGap& before, const MeasurandGap* after) {
+  const double was = std::max(std::abs(before.d_bias), std::abs(before.d_cavm));
+  return after ? std::max({was, std::abs(after->d_bias), std::abs(after->d_cavm)}) : was;
+}
 
 void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<std::vector<Html>> rows;
@@ -24,12 +28,14 @@ void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
       for (const MeasurandGap& m : diagnosis.after->measurands) after = m.name == before.name ? &m : after;
     }
     const auto interval = diagnosis.bias_intervals.find(before.name);
-    std::string bias = number(before.d_bias, before.unit);
-    if (interval != diagnosis.bias_intervals.end()) bias += " (" + intervalText(interval->second, before.unit) + ")";
+    const double largest = largestOf(before, after);
+    const auto number = [&](double value) { return withUnitOf(largest, value, before.unit, 2); };
+    std::string bias = number(before.d_bias);
+    if (interval != diagnosis.bias_intervals.end())
+      bias += " (" + intervalText(interval->second, before.unit, largest) + ")";
     rows.push_back({report::text(measurandTitle(before.name)), report::text(bias),
-                    report::text(after ? number(after->d_bias, before.unit) : "–"),
-                    report::text(number(before.d_cavm, before.unit)),
-                    report::text(after ? number(after->d_cavm, before.unit) : "–")});
+                    report::text(after ? number(after->d_bias) : "–"), report::text(number(before.d_cavm)),
+                    report::text(after ? number(after->d_cavm) : "–")});
   }
   const auto share = [&](double TotalGap::*member, const char* name) {
     constexpr double kShown = 0.0005;  // NaN without recorded directions is not shown either

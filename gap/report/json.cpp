@@ -110,8 +110,10 @@ Json toJson(const VerdictEvidence& evidence) {
 
 Json toJson(const Law& law) {
   Json terms = Json::array();
-  for (const Law::Term& term : law.terms)
+  for (const Law::Term& term : law.terms) {
     terms.push_back({{"covariate", term.covariate}, {"function", term.function}, {"coefficient", term.coefficient}});
+    if (term.period > 0.0) terms.back().update({{"period", term.period}, {"zero", term.zero}});
+  }
   return {{"measurand", law.measurand},
           {"component", law.component},
           {"unit", law.unit},

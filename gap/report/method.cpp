@@ -59,7 +59,10 @@ void addPredictions(report::Page& page, const Diagnosis& diagnosis) {
               {"if it is " + causeTitle(diagnosis, next.separates[0]), Align::Right},
               {"if it is " + causeTitle(diagnosis, next.separates[1]), Align::Right},
               {"noise of a beam", Align::Right}},
-             rows, "What each candidate predicts, as a mean over the beams in which the two clearly differ.");
+             rows,
+             "What each candidate predicts, as a mean over the beams in which the two clearly differ (their share: "
+             "beams that tell); ranges as a difference from where the surface is. Noise: by how much one beam "
+             "may differ by chance.");
 }
 
 report::Definition word(const char* term, const char* anchor, const char* meaning) {
@@ -84,9 +87,15 @@ std::vector<report::Definition> words() {
            "The area between the two distributions that is left once the bias "
            "is taken out: spread or shape are wrong. Corrected area "
            "validation metric, in the measurand's unit."),
+      word("scatter (of a beam)", "",
+           "The standard deviation of one beam's values over the frames. In maps and in “where” it is measured minus "
+           "simulated, beam by beam."),
       word("missing, extra echoes", "",
-           "Echoes that only the simulation, or only the measurement, has; as a share of "
-           "all simulated echoes."),
+           "Missing: echoes that only the simulation has. Extra: echoes that only the measurement has. Both as a share "
+           "of all simulated echoes."),
+      word("azimuth, elevation", "",
+           "Directions as the sensor sees them: azimuth above zero is left of straight ahead, elevation above zero is "
+           "up."),
       word("total gap", "word-total-gap",
            "One number for all measurands: bias and scatter error, each counted in steps of the sensor's resolution, "
            "plus the missing and extra echoes in per cent. 10 means, for instance, ten resolution steps too far."),
@@ -96,9 +105,12 @@ std::vector<report::Definition> words() {
       word("explains", "word-explains",
            "Share of the difference, beam by beam, that vanishes on the held-out samples when the cause is added. "
            "100 %: what is left is noise."),
+      word("gap shrinks by", "word-shrinks",
+           "By how much the total gap falls on the held-out samples when the cause is added. Below zero: it grows."),
+      word("named", "", "What the answer says is the cause; the others are listed for comparison."),
       word("confidence", "word-confidence",
-           "How sure the answer is, between 0 and 100 %. It shares one belief among all causes that explain the data, "
-           "and is lower where data are few."),
+           "How sure the answer is, between 0 and 100 %. The causes that explain the data share it; what is missing to "
+           "100 % is the belief that it is none of them. It is lower where data are few."),
       word("95 % interval", "",
            "The range in which the true number lies in 95 of 100 cases. For fitted numbers it "
            "tells how much they change if any one set-up is left out."),
@@ -168,8 +180,8 @@ void addMethod(report::Page& page, const Diagnosis& diagnosis) {
                    "the answer is “unknown” rather than the best of bad ones."),
   }));
   page.paragraph(
-      "Limits: the confidence has not yet been checked on enough cases with a known cause; read 90 % as “quite "
-      "sure”, not as an exact rate.");
+      "Limits: how often answers are right was counted on made-up cases of known cause, none of them from a real "
+      "sensor; read 90 % as “quite sure”, not as an exact rate.");
   page.subsection("Words", "words");
   page.block(report::definitions(words()));
   page.subsection("Facts of this run", "facts");

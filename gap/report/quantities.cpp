@@ -36,8 +36,12 @@ std::string withUnit(double value, const std::string& unit, int digits) {
   return numberIn(readable(std::abs(value), unit), value, digits);
 }
 
-std::string intervalText(const Interval& interval, const std::string& unit) {
-  const Readable shown = readable(std::max(std::abs(interval.low), std::abs(interval.high)), unit);
+std::string withUnitOf(double largest, double value, const std::string& unit, int digits) {
+  return numberIn(readable(std::max(largest, std::abs(value)), unit), value, digits);
+}
+
+std::string intervalText(const Interval& interval, const std::string& unit, double largest) {
+  const Readable shown = readable(std::max({std::abs(interval.low), std::abs(interval.high), largest}), unit);
   return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low), numberIn(shown, interval.high, 3));
 }
 

@@ -9,8 +9,10 @@ namespace gap {
 /// A number with its unit, to some digits; powers below a milliwatt in nW, lengths below a millimetre in mm, what
 /// exists in echoes per shot.
 [[nodiscard]] std::string withUnit(double value, const std::string& unit, int digits = 3);
-/// "0.42 to 0.47 m"; both ends in one unit.
-[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit);
+/// The same in the unit that suits the largest of some numbers: what stands side by side shares one.
+[[nodiscard]] std::string withUnitOf(double largest, double value, const std::string& unit, int digits = 3);
+/// "0.42 to 0.47 m"; both ends in one unit, which suits `largest`, too.
+[[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit, double largest = 0.0);
 
 /// "62 %".
 [[nodiscard]] std::string percent(double fraction);

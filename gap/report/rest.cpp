@@ -21,7 +21,8 @@ void addLaws(report::Page& page, const Rest& rest) {
   page.table(
       {{"difference", Align::Left, true}, {"measured − simulated ≈"}, {"in"}, {"follows the formula"}}, rows,
       "The shortest formulas that describe what is left, and how much of it follows them on samples that took no "
-      "part in finding them. A formula is a hint where to look, not a cause.");
+      "part in finding them. A formula is a hint where to look, not a cause. sin: it goes up and down again and again, "
+      "as errors of counters, of phase measurements and of mirrors do.");
 }
 
 }  // namespace

@@ -28,17 +28,20 @@ const std::vector<report::TableColumn>& columns() {
   return kColumns;
 }
 
-/// One line a kind of difference; what the same difference looks like along other quantities is folded away.
+/// One line a kind of difference; what the same difference looks like along other quantities is folded away, and what
+/// may be chance, unless everything may.
 void addRows(report::Page& page, const std::vector<WhereRow>& rows) {
   std::set<std::string> seen;
   std::vector<std::vector<Html>> first, others;
+  const bool sure = std::any_of(rows.begin(), rows.end(), [](const WhereRow& row) { return !row.mayBeChance(); });
   for (const WhereRow& row : rows) {
-    auto& list = seen.insert(row.measurand + row.component).second ? first : others;
-    list.push_back(cellsOf(row));
+    const bool shown = !(sure && row.mayBeChance()) && seen.insert(row.measurand + row.component).second;
+    (shown ? first : others).push_back(cellsOf(row));
   }
   page.table(columns(), first);
   if (others.empty()) return;
-  page.beginDetails("The same differences along other quantities (distance, direction, object, set-up …)");
+  page.beginDetails(
+      "The same differences along other quantities (distance, direction, object, set-up …), and what may be chance");
   page.paragraph("Several of these lines often describe the same thing: far targets also return narrow echoes.");
   if (others.size() > 24) others.resize(24);
   page.table(columns(), others);

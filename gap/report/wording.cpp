@@ -65,6 +65,8 @@ std::string effectTitle(const std::string& name) {
 }
 
 std::string meaningOf(const std::string& effect, const std::string& parameter) {
+  if (parameter == "centre_x_m") return "its centre, forward";
+  if (parameter == "centre_y_m") return "its centre, to the left";
   const model::EffectEntry* entry = model::findEffect(effect);
   if (!entry) return parameter;
   for (const model::ParameterInfo& info : entry->info.parameters) {
@@ -145,6 +147,11 @@ std::string componentTitle(const std::string& measurand, const std::string& comp
 
 std::string causeTitle(const Diagnosis& diagnosis, const std::string& name) {
   return name.rfind('/', 0) == 0 ? pointerTitle(diagnosis, name) : effectTitle(name);
+}
+
+std::string causeSummary(const std::string& name) {
+  const model::EffectEntry* entry = model::findEffect(name);
+  return entry ? entry->info.summary : "";
 }
 
 std::string parameterTitle(const Cause& cause, const FittedParameter& parameter) {
@@ -307,18 +314,40 @@ std::string whereSentence(const WhereRow& row) {
   return fmt::format("{}: {} of this gap, in {} of the data.", whereClause(row), percent(row.share), percent(row.size));
 }
 
+namespace {
+
+/// A term without its coefficient: "·tan²(incidence_deg)", "/range_m", "·sin(2π·(range_m − 0.2)/0.9)".
+std::string functionOf(const Law::Term& term) {
+  if (term.function == "sin x")
+    return fmt::format("·sin(2π·({} − {})/{})", term.covariate, core::significant(term.zero, 4),
+                       core::significant(term.period));
+  const bool named_function = term.function.find(' ') != std::string::npos;
+  std::string of_x = term.function == "1/x" ? "/x" : "·" + term.function;
+  std::erase(of_x, ' ');
+  return of_x.replace(of_x.find('x'), 1, named_function ? "(" + term.covariate + ")" : term.covariate);
+}
+
+}  // namespace
+
 std::string formulaOf(const Law& law) {
   std::string formula = core::significant(law.constant);
   for (const Law::Term& term : law.terms) {
-    // "tan² x" of incidence_deg: "·tan²(incidence_deg)"; "1/x": "/incidence_deg".
-    const bool named_function = term.function.find(' ') != std::string::npos;
-    std::string of_x = term.function == "1/x" ? "/x" : "·" + term.function;
-    std::erase(of_x, ' ');
-    of_x.replace(of_x.find('x'), 1, named_function ? "(" + term.covariate + ")" : term.covariate);
     formula += fmt::format(" {} {}{}", term.coefficient < 0.0 ? "−" : "+",
-                           core::significant(std::abs(term.coefficient)), of_x);
+                           core::significant(std::abs(term.coefficient)), functionOf(term));
   }
   return formula;
+}
+
+std::string patternText(const Law& law) {
+  const std::string of_it = percent(law.explained);
+  const std::string what = componentTitle(law.measurand, law.component);
+  const Law::Term* wave = law.terms.size() == 1 && law.terms.front().period > 0.0 ? &law.terms.front() : nullptr;
+  if (!wave)
+    return fmt::format("{} ≈ {}{} ({} of it).", what, formulaOf(law), law.unit.empty() ? "" : " " + law.unit, of_it);
+  const bool range = wave->covariate == "range_m";
+  return fmt::format("{}: it goes up and down by {}, again every {} of {} ({} of it).", what,
+                     withUnit(wave->coefficient, law.unit), withUnit(wave->period, range ? "m" : "°"),
+                     range ? "distance" : "azimuth", of_it);
 }
 
 bool hardlyAnyLeft(const Rest& rest) {
@@ -338,10 +367,11 @@ std::string restText(const Rest& rest, bool cause_is_named) {
   if (hardlyAnyLeft(rest)) return left + "So little is left that nothing is sought in it.";
   const std::string share = percent(rest.systematic);
   if (rest.systematic <= kAccidental)
-    return left + fmt::format(
-                      "Of what is left, {} follows distance, direction, surface or settings smoothly: it is scattered, "
-                      "or changes quickly with one of them.",
-                      share);
+    return left +
+           fmt::format(
+               "Of what is left, {} follows distance, direction, surface or settings: it is scattered, or changes "
+               "quickly with one of them.",
+               share);
   return left + fmt::format("{} of what is left follows distance, direction, surface and settings in a regular way{}",
                             share, rest.systematic >= kRegular ? ": something systematic is still missing." : ".");
 }

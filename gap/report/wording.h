@@ -27,6 +27,10 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
+/// The same for a reader: "mean of the range: it goes up and down by 0.03 m, again every 0.9 m of distance
+/// (95 % of it)."
+[[nodiscard]] std::string patternText(const Law& law);
+
 /// So little of the gap is left that nobody asks what it depends on.
 [[nodiscard]] bool hardlyAnyLeft(const Rest& rest);
 /// How much is left with the named cause added (or without any), and whether something systematic is in it.
@@ -45,6 +49,8 @@ namespace gap {
 /// What a cause is called: "attenuation by the atmosphere", "reflectivity of the material board", "recorded position of
 /// target, x (forward)".
 [[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
+/// What it is, in a sentence for a reader who never heard of it; empty for what is no effect of the library.
+[[nodiscard]] std::string causeSummary(const std::string& name);
 /// What a fitted number means: "meteorological visibility".
 [[nodiscard]] std::string parameterTitle(const Cause& cause, const FittedParameter& parameter);
 /// Its unit as readers know it: "°" for "deg".

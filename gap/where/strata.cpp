@@ -88,9 +88,12 @@ std::vector<Group> namedGroups(const std::vector<Row>& rows, const Covariate& co
     group.name = name;
     groups.push_back(group);
   }
-  // Worst first: a set of names is then a prefix.
+  // Worst first, those that deviate the other way last: a set of names is then a prefix.
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Group& a, const Group& b) { return a.gap * b.weight > b.gap * a.weight; });
+  std::stable_partition(
+      groups.begin(), groups.end(),
+      [worst = groups.empty() ? 0.0 : groups.front().value](const Group& group) { return group.value * worst >= 0.0; });
   return groups;
 }
 
@@ -101,12 +104,14 @@ struct Best {
   std::size_t tried = 0;
 };
 
-/// The run of groups whose share of the gap exceeds its share of the data most. `sign`: of its mean residual; 0: any.
+/// The run of groups whose share of the gap exceeds its share of the data most; of names only such that deviate the
+/// same way, for what one is too long and another too short has no size. `sign`: of its mean residual; 0: any.
 Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight, bool prefixes_only, double sign) {
   Best best;
   for (std::size_t first = 0; first < (prefixes_only ? 1 : groups.size()); ++first) {
     Group joint;
     for (std::size_t last = first; last < groups.size(); ++last) {
+      if (prefixes_only && groups[last].value * groups[first].value < 0.0) break;
       joint.add(groups[last]);
       if (last - first + 1 == groups.size()) break;  // everything is no stratum
       ++best.tried;

@@ -25,6 +25,7 @@ constexpr double kWeakGap = 0.40;      // the least share, where the gap is hard
 constexpr double kLeastShrink = 0.05;  // of the total gap: of causes that move rays: less may be how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
+constexpr std::size_t kPairsHeard = 4;  // best ones: one of them may earn its second cause where the first does not
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
 
 VerdictKind kindOf(CauseKind kind) {
@@ -206,11 +207,17 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   leadByAll(quick, exact, pairs, addedBySecond(decision.singles.front(), pairs));
   leadByEffects(quick, exact, pairs);
   takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
-  const Candidate &pair = pairs.front(), &best = decision.singles.front();
-  if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;
-  if (!(room && earnsItsSecond(quick, exact, best, pair)) &&
-      !provesItsSecond(exact, best, pair, decision.singles.size()))
-    return false;
+  const Candidate& best = decision.singles.front();
+  const auto earns = [&](const Candidate& pair) {
+    if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;
+    return (room && earnsItsSecond(quick, exact, best, pair)) ||
+           provesItsSecond(exact, best, pair, decision.singles.size());
+  };
+  // What comes nearest may only scatter as the rest of the first cause does, and leave what another one takes.
+  const auto last = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(kPairsHeard, pairs.size()));
+  const auto earning = std::find_if(pairs.begin(), last, earns);
+  if (earning == last) return false;
+  std::rotate(pairs.begin(), earning, earning + 1);
   nameFirstOf(pairs, quick, exact, decision);
   return true;
 }

@@ -1,37 +1,21 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "gap/causes/split.h"
 #include "gap/where/where.h"
+#include "gap/which/law.h"
 
 namespace gap {
-
-/// How a residual depends on covariates: the shortest sum of simple functions that predicts it on samples that it was
-/// not fitted to.
-struct Law {
-  struct Term {
-    std::string covariate;
-    std::string function;  ///< of x: "x", "x²", "1/x", "ln x", "tan² x"
-    double coefficient = 0.0;
-  };
-  std::string measurand;
-  std::string component;  ///< "bias" or "scatter"
-  std::string unit;
-  double constant = 0.0;
-  std::vector<Term> terms;
-  double explained = 0.0;  ///< of the squared residuals beyond noise, on held-out cells
-};
 
 /// What a world leaves unexplained, and how much of that could be explained by anything that depends on the covariates.
 struct Rest {
   double left = 0.0;        ///< of the gap's squared residuals beyond noise, on held-out cells
-  double systematic = 0.0;  ///< of what is left: follows smooth functions of the covariates, on held-out cells
+  double systematic = 0.0;  ///< of what is left: follows functions of the covariates, on held-out cells
   std::vector<Law> laws;    ///< best first
 
-  /// Share of the gap that the world and a smooth function of the covariates explain together.
+  /// Share of the gap that the world and a function of the covariates explain together.
   [[nodiscard]] double ceiling() const { return 1.0 - left * (1.0 - systematic); }
   /// How much less of the gap the world explains by itself.
   [[nodiscard]] double belowCeiling() const { return left * systematic; }
@@ -41,9 +25,9 @@ struct Rest {
 ///
 /// The ceiling is an additive model (Hastie & Tibshirani 1990, Generalized Additive Models, ch. 4): a sum of piecewise
 /// linear functions, one for each covariate, fitted by penalised least squares to the residuals of the fitted samples.
-/// The laws are found by forward selection among simple functions, as in sparse regression of dynamics (Brunton,
-/// Proctor & Kutz 2016, PNAS 113, 3932). Both are judged by the held-out samples only. Beams at edges take no part:
-/// two programs never agree there.
+/// The laws are the shortest sum of simple functions (shortest_law.h) or a wave (periodic_law.h), whichever explains
+/// more; where a law explains more than the additive model does, it is the ceiling. All are judged by the held-out
+/// samples only. Beams at edges take no part: two programs never agree there.
 ///
 /// Nothing if too few cells off edges can be compared to say anything.
 [[nodiscard]] std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,

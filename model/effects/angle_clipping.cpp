@@ -19,11 +19,14 @@ class AngleClipping final : public Effect {
 }  // namespace
 
 EffectEntry angleClipping() {
-  return {.info = {.name = "angle-clipping",
-                   .title = "Angle clipping to the beam's centre",
-                   .stage = Stage::kDetection,
-                   .source = "Rosenberger 2022, doi:10.26083/tuprints-00023034, ch. 10"},
-          .make = makeFrom<AngleClipping>};
+  return {
+      .info = {.name = "angle-clipping",
+               .title = "Angle clipping to the beam's centre",
+               .summary =
+                   "Every detection is reported at the centre of its beam, wherever in the beam the echo came from.",
+               .stage = Stage::kDetection,
+               .source = "Rosenberger 2022, doi:10.26083/tuprints-00023034, ch. 10"},
+      .make = makeFrom<AngleClipping>};
 }
 
 }  // namespace model::effects

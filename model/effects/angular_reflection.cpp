@@ -45,6 +45,8 @@ EffectEntry angularReflection() {
   return {
       .info = {.name = "angular-reflection",
                .title = "Non-Lambertian reflection",
+               .summary = "Surfaces do not throw light back evenly in all directions: how bright they are depends on "
+                          "the angle at which the beam meets them.",
                .stage = Stage::kInteraction,
                .percollect = {"111", "114", "123"},
                .parameters = {{"roughness_rad", "rad", 0.0, 1.6, std::nullopt,

@@ -34,6 +34,8 @@ class ApertureOffset final : public Effect {
 EffectEntry apertureOffset() {
   return {.info = {.name = "aperture-offset",
                    .title = "Offset of the receiver's axis",
+                   .summary = "Emitter and receiver look along axes side by side, so that the receiver misses a part "
+                              "of the beam at short range.",
                    .stage = Stage::kEmission,
                    .percollect = {"14", "73", "107"},
                    .parameters = {{"offset_m", "m", 0.0, 0.1, std::nullopt,

@@ -59,6 +59,8 @@ EffectEntry atmosphericAttenuation() {
   return {
       .info = {.name = "atmospheric-attenuation",
                .title = "Attenuation by the atmosphere",
+               .summary = "Fog, haze or rain weaken the light on its way out and back: echoes from far away are "
+                          "weaker, narrower, or lost.",
                .stage = Stage::kPropagation,
                .percollect = {"87", "92", "93", "98"},
                .parameters = {{"visibility_m", "m", 20.0, 20000.0, std::nullopt,

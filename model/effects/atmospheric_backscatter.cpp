@@ -50,6 +50,8 @@ class AtmosphericBackscatter final : public Effect {
 EffectEntry atmosphericBackscatter() {
   return {.info = {.name = "atmospheric-backscatter",
                    .title = "Backscatter by the atmosphere",
+                   .summary = "The air itself throws light back, which gives echoes from near the sensor and raises "
+                              "what the receiver sees.",
                    .stage = Stage::kPropagation,
                    .percollect = {"89", "94", "95"},
                    .parameters = {{"visibility_m", "m", 20.0, 20000.0, std::nullopt,

@@ -88,6 +88,8 @@ EffectEntry backgroundLight() {
   return {
       .info = {.name = "background-light",
                .title = "Shot noise of background light",
+               .summary = "Sunlight in the receiver adds noise: weak echoes are lost and noise is taken for echoes, "
+                          "most towards the sun.",
                .stage = Stage::kReception,
                .percollect = {"86", "90", "91", "99", "101", "143"},
                .parameters = {{"irradiance_w_m2_nm", "W/(m² nm)", 0.0, 1.0, std::nullopt,

@@ -26,6 +26,8 @@ class BeamDivergence final : public Effect {
 EffectEntry beamDivergence() {
   return {.info = {.name = "beam-divergence",
                    .title = "Beam divergence",
+                   .summary = "The beam widens with distance: it may meet several surfaces at once, and only a part of "
+                              "it meets small ones.",
                    .stage = Stage::kEmission,
                    .percollect = {"106", "117", "118", "105"},
                    .parameters = {{"horizontal_rad", "rad", 0.0, 0.2, std::nullopt,

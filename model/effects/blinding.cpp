@@ -77,6 +77,8 @@ EffectEntry blinding() {
   return {
       .info = {.name = "blinding",
                .title = "Blinding by foreign light",
+               .summary =
+                   "Foreign light from one direction overloads the receiver, which measures little or nothing there.",
                .stage = Stage::kPropagation,
                .percollect = {"83"},
                .parameters = {{"azimuth_deg", "deg", -180.0, 180.0, 0.0, "Middle of the sector", false, 0.0},

@@ -90,18 +90,22 @@ class Blooming final : public Effect {
 }  // namespace
 
 EffectEntry blooming() {
-  return {.info = {.name = "blooming",
-                   .title = "Blooming",
-                   .stage = Stage::kReception,
-                   .percollect = {"72"},
-                   .parameters = {{"fraction", "", 0.0, 0.1, 1e-2,
-                                   "Share of an echo in the next beam; seldom below 1e-4", true, 1e-2},
-                                  {"neighbours", "", 1.0, 20.0, 5.0, "Beams on each side that it reaches at most",
-                                   false, 5.0, 0.0, true}},
-                   .fitted = {"fraction"},
-                   .other_forms = {{"of another reach", {"fraction", "neighbours"}, true}},
-                   .source = "Peterson 2004, Proc. SPIE 5178 (in-field scattered light)"},
-          .make = makeFrom<Blooming>};
+  return {
+      .info =
+          {.name = "blooming",
+           .title = "Blooming",
+           .summary =
+               "A very strong echo spills into the beams beside it, so that bright objects look larger than they are.",
+           .stage = Stage::kReception,
+           .percollect = {"72"},
+           .parameters = {{"fraction", "", 0.0, 0.1, 1e-2, "Share of an echo in the next beam; seldom below 1e-4", true,
+                           1e-2},
+                          {"neighbours", "", 1.0, 20.0, 5.0, "Beams on each side that it reaches at most", false, 5.0,
+                           0.0, true}},
+           .fitted = {"fraction"},
+           .other_forms = {{"of another reach", {"fraction", "neighbours"}, true}},
+           .source = "Peterson 2004, Proc. SPIE 5178 (in-field scattered light)"},
+      .make = makeFrom<Blooming>};
 }
 
 }  // namespace model::effects

@@ -32,6 +32,8 @@ EffectEntry clockDrift() {
   return {
       .info = {.name = "clock-drift",
                .title = "Drift of the time base",
+               .summary = "The clock that measures the time of flight runs too fast or too slow: the range error grows "
+                          "with the range.",
                .stage = Stage::kPreProcessing,
                .parameters = {{"scale_ppm", "ppm", -2000.0, 2000.0, 0.0,
                                "Reported over true range, minus one, at 20 °C", false, 200.0},

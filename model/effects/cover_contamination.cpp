@@ -32,6 +32,7 @@ EffectEntry coverContamination() {
   return {
       .info = {.name = "cover-contamination",
                .title = "Contamination of the sensor cover",
+               .summary = "Dirt or drops on the sensor's window take light away in a part of the view.",
                .stage = Stage::kReception,
                .percollect = {"69"},
                .parameters = {{"attenuation", "", 0.0, 1.0, 0.3, "Share of power lost at each passage of the window",

@@ -43,15 +43,18 @@ class Crosstalk final : public Effect {
 
 EffectEntry crosstalk() {
   return {
-      .info = {.name = "crosstalk",
-               .title = "Crosstalk from foreign lidars",
-               .stage = Stage::kPropagation,
-               .percollect = {"84", "85"},
-               .parameters = {{"rate_1_s", "1/s", 0.0, 1e6, 0.0, "Foreign pulses that the receiver meets", true, 1e4},
-                              {"excess", "", 0.3, 1000.0, kExcess,
-                               "Mean power of a foreign pulse above the threshold, in thresholds", true, kExcess}},
-               .fitted = {"rate_1_s", "excess"},
-               .source = "Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium"},
+      .info =
+          {.name = "crosstalk",
+           .title = "Crosstalk from foreign lidars",
+           .summary =
+               "Pulses of other lidars are received as echoes, at distances that have nothing to do with the scene.",
+           .stage = Stage::kPropagation,
+           .percollect = {"84", "85"},
+           .parameters = {{"rate_1_s", "1/s", 0.0, 1e6, 0.0, "Foreign pulses that the receiver meets", true, 1e4},
+                          {"excess", "", 0.3, 1000.0, kExcess,
+                           "Mean power of a foreign pulse above the threshold, in thresholds", true, kExcess}},
+           .fitted = {"rate_1_s", "excess"},
+           .source = "Kim, Eom, Park 2015, IEEE Intelligent Vehicles Symposium"},
       .make = makeFrom<Crosstalk>};
 }
 

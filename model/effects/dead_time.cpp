@@ -36,14 +36,16 @@ class DeadTime final : public Effect {
 }  // namespace
 
 EffectEntry deadTime() {
-  return {.info = {.name = "dead-time",
-                   .title = "Dead time of the receiver",
-                   .stage = Stage::kReception,
-                   .percollect = {"64", "67"},
-                   .parameters = {{"dead_time_ns", "ns", 1.0, 100.0, 1.0, "Blindness after an echo", true, 20.0}},
-                   .fitted = {"dead_time_ns"},
-                   .source = "Knoll 2010, Radiation Detection and Measurement, ch. 4"},
-          .make = makeFrom<DeadTime>};
+  return {
+      .info = {.name = "dead-time",
+               .title = "Dead time of the receiver",
+               .summary = "After an echo the receiver is blind for a moment, and misses what follows shortly after.",
+               .stage = Stage::kReception,
+               .percollect = {"64", "67"},
+               .parameters = {{"dead_time_ns", "ns", 1.0, 100.0, 1.0, "Blindness after an echo", true, 20.0}},
+               .fitted = {"dead_time_ns"},
+               .source = "Knoll 2010, Radiation Detection and Measurement, ch. 4"},
+      .make = makeFrom<DeadTime>};
 }
 
 }  // namespace model::effects

@@ -25,6 +25,7 @@ class DetectionLoss final : public Effect {
 EffectEntry detectionLoss() {
   return {.info = {.name = "detection-loss",
                    .title = "Random loss of detections",
+                   .summary = "Detections are lost at random, whatever the echo's strength.",
                    .stage = Stage::kDetection,
                    .percollect = {"0", "39"},
                    .parameters = {{"probability", "", 0.0, 1.0, 0.0, "Probability of losing an echo", false, 0.05}},

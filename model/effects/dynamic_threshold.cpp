@@ -65,6 +65,8 @@ class DynamicThreshold final : public Effect {
 EffectEntry dynamicThreshold() {
   return {.info = {.name = "dynamic-threshold",
                    .title = "Threshold that follows the noise",
+                   .summary = "The detection threshold is not fixed: it follows the noise or the distance, and with it "
+                              "the width of echoes and what is lost.",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"2", "43"},
                    .parameters = {{"factor", "", 1.0, 50.0, 5.0, "Threshold over standard deviation of the noise",

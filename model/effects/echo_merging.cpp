@@ -22,6 +22,7 @@ class EchoMerging final : public Effect {
 EffectEntry echoMerging() {
   return {.info = {.name = "echo-merging",
                    .title = "Merging of near echoes",
+                   .summary = "Two surfaces shortly behind each other give one echo between them instead of two.",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"105", "118"},
                    .parameters = {{"separation_m", "m", 0.0, 10.0, std::nullopt,

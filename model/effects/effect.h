@@ -54,8 +54,9 @@ struct FittedForm {
 
 /// What an effect says about itself; the command line, the desktop, the diagnosis and the documentation read this.
 struct EffectInfo {
-  std::string name;   ///< effects.md, kebab-case
-  std::string title;  ///< for people
+  std::string name;     ///< effects.md, kebab-case
+  std::string title;    ///< for people
+  std::string summary;  ///< a sentence for a reader who never heard of it: what happens, and what shows
   Stage stage = Stage::kDetection;
   std::vector<std::string> percollect;  ///< node ids of the LidarLimbs JSON release
   std::vector<ParameterInfo> parameters;

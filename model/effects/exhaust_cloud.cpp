@@ -59,6 +59,7 @@ EffectEntry exhaustCloud() {
   return {
       .info = {.name = "exhaust-cloud",
                .title = "Cloud of exhaust gas",
+               .summary = "A cloud that stands in the scene takes light away and throws some of it back.",
                .stage = Stage::kPropagation,
                .percollect = {"94", "141"},
                .parameters = {{"extinction_1_m", "1/m", 0.0, 10.0, 0.5, "Extinction inside the cloud", true, 0.5},

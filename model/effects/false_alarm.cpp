@@ -40,6 +40,7 @@ EffectEntry falseAlarm() {
   return {
       .info = {.name = "false-alarm",
                .title = "False alarms from noise",
+               .summary = "Noise crosses the threshold now and then and is reported as an echo, at any distance.",
                .stage = Stage::kDetection,
                .percollect = {"1", "43"},
                .parameters = {{"rate_per_beam", "", 0.0, 0.1, 0.0, "Mean number of false echoes a shot", true, 0.01}},

@@ -28,6 +28,7 @@ class Latency final : public Effect {
 EffectEntry latency() {
   return {.info = {.name = "latency",
                    .title = "Latency",
+                   .summary = "Values are older than their time stamp says: moving objects seem to lag behind.",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"50", "51"},
                    .parameters = {{"delay_s", "s", 0.0, 0.5, 0.0, "Age of the data at their time stamp", false, 0.05}},

@@ -32,6 +32,8 @@ class MotionScan final : public Effect {
 EffectEntry motionScan() {
   return {.info = {.name = "motion-scan",
                    .title = "Motion during the scan",
+                   .summary = "The beams of one frame are fired one after the other, while objects move on: moving "
+                              "objects look distorted.",
                    .stage = Stage::kInteraction,
                    .percollect = {"102", "17", "81"},
                    .parameters = {{"ego_speed_m_s", "m/s", -80.0, 80.0, 0.0, "Speed of the sensor along its x axis",

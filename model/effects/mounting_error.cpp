@@ -51,6 +51,8 @@ EffectEntry mountingError() {
   return {
       .info = {.name = "mounting-error",
                .title = "Error of the sensor's mounting",
+               .summary =
+                   "The sensor stands or looks other than assumed: everything that it sees is displaced or turned.",
                .stage = Stage::kEmission,
                .percollect = {"7"},
                .parameters =

@@ -81,6 +81,8 @@ EffectEntry multipath() {
   return {
       .info = {.name = "multipath",
                .title = "Second bounces by way of mirrors",
+               .summary = "Light that a mirror-like surface turned aside comes back by a detour: objects seem to stand "
+                          "where nothing is, too far away.",
                .stage = Stage::kInteraction,
                .percollect = {"108"},
                .parameters = {{"max_bounces", "", 2.0, 4.0, 2.0, "Bounces on the way out: the target and its mirrors",

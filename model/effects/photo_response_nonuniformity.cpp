@@ -37,17 +37,20 @@ class PhotoResponseNonuniformity final : public Effect {
 }  // namespace
 
 EffectEntry photoResponseNonuniformity() {
-  return {.info = {.name = "photo-response-nonuniformity",
-                   .title = "Uneven gain of the layers",
-                   .stage = Stage::kReception,
-                   .percollect = {"62", "66", "68"},
-                   .parameters = {{"stddev", "", 0.0, 0.5, 0.1, "Standard deviation of the gain over the layers", false,
-                                   0.15},
-                                  {"pattern", "", 0.0, 1e6, 1.0, "Which random pattern", false, 1.0}},
-                   .fitted = {"stddev"},
-                   .source = "EMVA Standard 1288, release 4.0"},
-          .make = makeFrom<PhotoResponseNonuniformity>,
-          .lists = {{"gain_per_layer", "", 0.0, 10.0, 0, "Gain of each layer, in place of the random pattern"}}};
+  return {
+      .info =
+          {.name = "photo-response-nonuniformity",
+           .title = "Uneven gain of the layers",
+           .summary =
+               "The layers are not equally sensitive: some report stronger echoes than others from the same surface.",
+           .stage = Stage::kReception,
+           .percollect = {"62", "66", "68"},
+           .parameters = {{"stddev", "", 0.0, 0.5, 0.1, "Standard deviation of the gain over the layers", false, 0.15},
+                          {"pattern", "", 0.0, 1e6, 1.0, "Which random pattern", false, 1.0}},
+           .fitted = {"stddev"},
+           .source = "EMVA Standard 1288, release 4.0"},
+      .make = makeFrom<PhotoResponseNonuniformity>,
+      .lists = {{"gain_per_layer", "", 0.0, 10.0, 0, "Gain of each layer, in place of the random pattern"}}};
 }
 
 }  // namespace model::effects

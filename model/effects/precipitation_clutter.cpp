@@ -209,6 +209,7 @@ class PrecipitationClutter final : public Effect {
 EffectEntry precipitationClutter() {
   return {.info = {.name = "precipitation-clutter",
                    .title = "Echoes of drops and flakes",
+                   .summary = "Single drops or flakes give echoes of their own, and hide what is behind them.",
                    .stage = Stage::kPropagation,
                    .percollect = {"89", "93"},
                    .parameters = {{"rain_rate_mm_h", "mm/h", 0.0, 100.0, std::nullopt,

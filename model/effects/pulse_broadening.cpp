@@ -17,6 +17,8 @@ class PulseBroadening final : public Effect {
 EffectEntry pulseBroadening() {
   return {.info = {.name = "pulse-broadening",
                    .title = "Pulse broadening on oblique surfaces",
+                   .summary = "On an oblique surface the light of one beam comes back over a longer time: the echo is "
+                              "wider and lower.",
                    .stage = Stage::kInteraction,
                    .percollect = {"109", "116"},
                    .source = "Gardner 1992, doi:10.1109/36.175330"},

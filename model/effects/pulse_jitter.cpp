@@ -43,6 +43,7 @@ class PulseJitter final : public Effect {
 EffectEntry pulseJitter() {
   return {.info = {.name = "pulse-jitter",
                    .title = "Jitter of the emitted pulse",
+                   .summary = "Emitted pulses differ in power or duration from shot to shot.",
                    .stage = Stage::kEmission,
                    .percollect = {"5", "109"},
                    .parameters = {{"duration_stddev_ns", "ns", 0.0, 1.0, 0.0,

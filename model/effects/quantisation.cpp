@@ -31,6 +31,7 @@ class Quantisation final : public Effect {
 EffectEntry quantisation() {
   return {.info = {.name = "quantisation",
                    .title = "Quantisation of the outputs",
+                   .summary = "Values are reported in coarse steps.",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"70", "71", "144"},
                    .parameters =

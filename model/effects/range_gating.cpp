@@ -28,6 +28,7 @@ class RangeGating final : public Effect {
 EffectEntry rangeGating() {
   return {.info = {.name = "range-gating",
                    .title = "Range gate",
+                   .summary = "Echoes outside a window of distances are not reported.",
                    .stage = Stage::kPreProcessing,
                    .percollect = {"146"},
                    .parameters = {{"from_m", "m", 0.0, 1000.0, std::nullopt,

@@ -19,6 +19,7 @@ class RangeOffset final : public Effect {
 EffectEntry rangeOffset() {
   return {.info = {.name = "range-offset",
                    .title = "Range offset",
+                   .summary = "All ranges are wrong by the same amount.",
                    .stage = Stage::kPreProcessing,
                    .parameters = {{"offset_m", "m", -0.5, 0.5, 0.0, "Reported minus true range", false, 0.02}},
                    .fitted = {"offset_m"},

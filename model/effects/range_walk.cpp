@@ -45,6 +45,8 @@ EffectEntry rangeWalk() {
   return {
       .info = {.name = "range-walk",
                .title = "Range walk",
+               .summary = "The reported range depends on how strong an echo is: a weak one crosses the threshold later "
+                          "than a strong one, and so comes out too far away.",
                .stage = Stage::kPreProcessing,
                .percollect = {"2", "39"},
                .parameters = {{"coefficient_m", "m", -2.0, 2.0, std::nullopt,

@@ -32,6 +32,8 @@ class Retroreflection final : public Effect {
 EffectEntry retroreflection() {
   return {.info = {.name = "retroreflection",
                    .title = "Retroreflection",
+                   .summary = "Reflectors (signs, licence plates, reflective tape) throw far more light back to the "
+                              "sensor than other surfaces.",
                    .stage = Stage::kInteraction,
                    .percollect = {"111", "139"},
                    .parameters = {{"gain", "", 10.0, 1e5, std::nullopt,

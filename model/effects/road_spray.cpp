@@ -178,21 +178,23 @@ void RoadSpray::drawClusters(const Plume& plume, const Vector3& sensor_m, const 
 }  // namespace
 
 EffectEntry roadSpray() {
-  return {.info = {.name = "road-spray",
-                   .title = "Spray behind vehicles on a wet road",
-                   .stage = Stage::kPropagation,
-                   .percollect = {"94", "141"},
-                   .parameters =
-                       {{"density", "1/m³", 0.0, 10.0, 1.0, "Clusters per volume of the plume at 100 km/h", true, 1.0},
-                        {"plume_length_m", "m", 1.0, 50.0, 10.0, "Length of the plume behind the vehicle", false, 10.0},
-                        {"plume_width_m", "m", 0.5, 6.0, 3.4, "Its width", false, 3.4},
-                        {"plume_height_m", "m", 0.2, 5.0, 1.5, "Its height above the vehicle's lower edge", false, 1.5},
-                        {"extinction_1_m", "1/m", 0.001, 1.0, 0.02, "Mean extinction inside a cluster", true, 0.02},
-                        {"least_speed_m_s", "m/s", 1.0, 25.0, 50.0 / 3.6, "Speed from which on a vehicle raises spray",
-                         false, 50.0 / 3.6}},
-                   .fitted = {"density", "extinction_1_m"},
-                   .source = "Linnhoff et al. 2022, arXiv:2212.08558"},
-          .make = makeFrom<RoadSpray>};
+  return {
+      .info = {.name = "road-spray",
+               .title = "Spray behind vehicles on a wet road",
+               .summary = "Wheels on a wet road throw up water, which gives clusters of false echoes behind vehicles.",
+               .stage = Stage::kPropagation,
+               .percollect = {"94", "141"},
+               .parameters =
+                   {{"density", "1/m³", 0.0, 10.0, 1.0, "Clusters per volume of the plume at 100 km/h", true, 1.0},
+                    {"plume_length_m", "m", 1.0, 50.0, 10.0, "Length of the plume behind the vehicle", false, 10.0},
+                    {"plume_width_m", "m", 0.5, 6.0, 3.4, "Its width", false, 3.4},
+                    {"plume_height_m", "m", 0.2, 5.0, 1.5, "Its height above the vehicle's lower edge", false, 1.5},
+                    {"extinction_1_m", "1/m", 0.001, 1.0, 0.02, "Mean extinction inside a cluster", true, 0.02},
+                    {"least_speed_m_s", "m/s", 1.0, 25.0, 50.0 / 3.6, "Speed from which on a vehicle raises spray",
+                     false, 50.0 / 3.6}},
+               .fitted = {"density", "extinction_1_m"},
+               .source = "Linnhoff et al. 2022, arXiv:2212.08558"},
+      .make = makeFrom<RoadSpray>};
 }
 
 }  // namespace model::effects

@@ -76,6 +76,8 @@ class Saturation final : public Effect {
 EffectEntry saturation() {
   return {.info = {.name = "saturation",
                    .title = "Saturation of the receiver",
+                   .summary = "The receiver cannot follow echoes above a certain power: they are cut off, and come out "
+                              "too weak and with another width.",
                    .stage = Stage::kReception,
                    .percollect = {"142"},
                    .parameters = {{"saturation_w", "W", 1e-10, 1e-3, std::nullopt,

@@ -37,6 +37,7 @@ EffectEntry spoofing() {
   return {
       .info = {.name = "spoofing",
                .title = "Spoofing by relayed pulses",
+               .summary = "Somebody sends pulses back on purpose: a target appears that does not exist.",
                .stage = Stage::kPropagation,
                .percollect = {"82"},
                .parameters = {{"azimuth_deg", "deg", -180.0, 180.0, 0.0, "Middle of the sector", false, 0.0},

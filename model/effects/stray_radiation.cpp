@@ -48,19 +48,22 @@ class StrayRadiation final : public Effect {
 }  // namespace
 
 EffectEntry strayRadiation() {
-  return {.info = {.name = "stray-radiation",
-                   .title = "Stray radiation around the beam",
-                   .stage = Stage::kEmission,
-                   .percollect = {"139", "140"},
-                   .parameters = {{"fraction", "", 0.0, 1e-2, 1e-4,
-                                   "Share of the beam's power that strays; seldom below 1e-6", true, 1e-4},
-                                  {"half_angle_rad", "rad", 0.002, 0.1, 0.02,
-                                   "From the beam's axis to the pedestal's edge", true, 0.02}},
-                   .fitted = {"fraction"},
-                   .other_forms = {{"other angle", {"fraction", "half_angle_rad"}, true}},
-                   .source = "Peterson 2004, Proc. SPIE 5178 (in-field scattered light)",
-                   .moves_geometry = true},
-          .make = makeFrom<StrayRadiation>};
+  return {
+      .info = {.name = "stray-radiation",
+               .title = "Stray radiation around the beam",
+               .summary =
+                   "A little light travels beside the beam: bright objects give ghosts in beams that pass beside them.",
+               .stage = Stage::kEmission,
+               .percollect = {"139", "140"},
+               .parameters = {{"fraction", "", 0.0, 1e-2, 1e-4,
+                               "Share of the beam's power that strays; seldom below 1e-6", true, 1e-4},
+                              {"half_angle_rad", "rad", 0.002, 0.1, 0.02, "From the beam's axis to the pedestal's edge",
+                               true, 0.02}},
+               .fitted = {"fraction"},
+               .other_forms = {{"other angle", {"fraction", "half_angle_rad"}, true}},
+               .source = "Peterson 2004, Proc. SPIE 5178 (in-field scattered light)",
+               .moves_geometry = true},
+      .make = makeFrom<StrayRadiation>};
 }
 
 }  // namespace model::effects

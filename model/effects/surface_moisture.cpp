@@ -27,6 +27,7 @@ class SurfaceMoisture final : public Effect {
 EffectEntry surfaceMoisture() {
   return {.info = {.name = "surface-moisture",
                    .title = "Moisture on surfaces",
+                   .summary = "Wet surfaces look darker, and more like mirrors.",
                    .stage = Stage::kInteraction,
                    .percollect = {"130"},
                    .parameters = {{"wetness", "", 0.0, 1.0, 0.5, "0 dry, 1 under a closed film", false, 0.6},

@@ -38,6 +38,8 @@ class ThermalNoise final : public Effect {
 EffectEntry thermalNoise() {
   return {.info = {.name = "thermal-noise",
                    .title = "Thermal noise of the detector",
+                   .summary =
+                       "The detector's noise grows with its temperature: weak echoes are lost and values scatter more.",
                    .stage = Stage::kReception,
                    .percollect = {"58", "60", "63"},
                    .parameters = {{"temperature_degC", "°C", -40.0, 85.0, std::nullopt,

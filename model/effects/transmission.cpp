@@ -65,6 +65,8 @@ EffectEntry transmission() {
   return {
       .info = {.name = "transmission",
                .title = "Transmission through glass",
+               .summary =
+                   "Glass lets a part of the light through: behind it a second echo may come, and both are weaker.",
                .stage = Stage::kInteraction,
                .percollect = {"110", "128"},
                .parameters = {{"transmission", "", 0.0, 1.0, std::nullopt,

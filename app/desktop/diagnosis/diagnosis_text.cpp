@@ -79,6 +79,14 @@ QString verdictPart(const GapReport& report, const QPalette& palette) {
                      .arg(html::text(report.verdict.text.substr(0, end)));
   if (end < report.verdict.text.size())
     page += html::paragraph(html::text(core::trimmed(report.verdict.text.substr(end))));
+  for (const std::string& name : report.verdict.names) {
+    const std::string summary = gap::causeSummary(name);
+    if (!summary.empty()) page += html::paragraph("<i>" + html::text(name + ": " + summary) + "</i>");
+  }
+  if (report.verdict.kind == gap::VerdictKind::kUnknown && report.rest && !report.rest->laws.empty()) {
+    page += html::paragraph(QObject::tr("A pattern in it: measured minus simulated, ") +
+                            html::text(gap::patternText(report.rest->laws.front())));
+  }
   QString facts = QObject::tr("Experiment %1, model %2.").arg(html::text(report.experiment), html::text(report.model));
   if (!report.verdict.indistinguishable_from.empty()) {
     facts += " " + QObject::tr("These data cannot tell it from %1.")

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "gap/report/wording.h"
 #include "tests/gap/small_world.h"
 
@@ -51,6 +53,22 @@ TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
     EXPECT_GT(row.p_value, 1e-3) << gap::whereSentence(row);
   }
   EXPECT_TRUE(scatters);
+}
+
+// A wall that stands 0.2 m farther than recorded in two set-ups, and 0.15 m nearer in another: together they are no
+// place at which a range is 0.08 m too short.
+TEST(Where, SetUpsThatDeviateInOppositeWaysAreNoOnePlace) {
+  const test_support::SmallWorld world;
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4, {{"r13", 0.2}, {"r27", 0.2}, {"r46", -0.15}});
+  const gap::Replay replay(measured, model);
+  const gap::WhereResult where = gap::whereIn(replay, replay.baseline(), 1);
+  const auto row = std::find_if(where.rows.begin(), where.rows.end(), [](const gap::WhereRow& one) {
+    return one.measurand == "range" && one.component == "bias" && one.covariate == "setup";
+  });
+  ASSERT_NE(row, where.rows.end());
+  EXPECT_EQ(row->names, (std::vector<std::string>{"r13", "r27"}));
+  EXPECT_NEAR(row->value, 0.2, 0.01);
 }
 
 // The wall is half as bright again as recorded, which is most of the gap; the offset that the verdict names moves

@@ -1,6 +1,8 @@
 #include "gap/which/rest.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "core/random.h"
 #include "gap/report/wording.h"
@@ -71,6 +73,23 @@ TEST_F(MadeUpResiduals, ALawOfTheValueThatIsExpectedIsFound) {
   expectLine(rest(where, where), "epw_m", -0.2, 0.02);
 }
 
+// A counter that is interpolated unevenly errs alike in every period of its clock, and no smooth function follows that.
+TEST_F(MadeUpResiduals, AWaveOverTheDistanceIsFoundWithItsPeriodAndWhereItIsZero) {
+  const auto where = residuals([](const gap::Cell& cell) {
+    return 0.1 + 0.05 * std::sin(2.0 * std::numbers::pi * (cell.anchor_m - 0.3) / 1.7);
+  });
+  const gap::Rest rest = this->rest(where, where);
+  EXPECT_GT(rest.systematic, 0.9);
+  ASSERT_EQ(rest.laws.size(), 1U);
+  ASSERT_EQ(rest.laws.front().terms.size(), 1U);
+  const gap::Law::Term& wave = rest.laws.front().terms.front();
+  EXPECT_EQ(wave.covariate, "range_m");
+  EXPECT_EQ(wave.function, "sin x");
+  EXPECT_NEAR(wave.coefficient, 0.05, 0.003);
+  EXPECT_NEAR(wave.period, 1.7, 0.01);
+  EXPECT_NEAR(wave.zero, 0.3, 0.1);
+}
+
 TEST_F(MadeUpResiduals, WhatIsRandomFromCellToCellHasNoLaw) {
   const auto where = residuals([](const gap::Cell& cell) {
     core::Random random({.beam = cell.beam, .purpose = static_cast<std::uint32_t>(cell.anchor_m)});
@@ -101,6 +120,15 @@ TEST(Wording, AFormulaNamesItsCovariates) {
   law.constant = 0.21;
   law.terms = {{"incidence_deg", "tan² x", 0.34}, {"range_m", "1/x", -2.0}, {"temperature_c", "x", 0.5}};
   EXPECT_EQ(gap::formulaOf(law), "0.21 + 0.34·tan²(incidence_deg) − 2/range_m + 0.5·temperature_c");
+}
+
+TEST(Wording, AWaveIsAFormulaAndASentence) {
+  gap::Law law{.measurand = "range", .component = "bias", .unit = "m", .constant = 0.001};
+  law.terms = {{"range_m", "sin x", 0.03, 0.9, 0.2}};
+  law.explained = 0.95;
+  EXPECT_EQ(gap::formulaOf(law), "0.001 + 0.03·sin(2π·(range_m − 0.2)/0.9)");
+  EXPECT_EQ(gap::patternText(law),
+            "mean of the range: it goes up and down by 0.03 m, again every 0.9 m of distance (95 % of it).");
 }
 
 }  // namespace

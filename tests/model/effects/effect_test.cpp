@@ -23,6 +23,7 @@ TEST(Effects, DeclareThemselvesCompletely) {
     EXPECT_GE(info.stage, stage) << info.name << ": the list follows the chain";
     stage = info.stage;
     EXPECT_FALSE(info.title.empty()) << info.name;
+    EXPECT_TRUE(info.summary.ends_with('.')) << info.name << ": a sentence for a reader who never heard of it";
     EXPECT_FALSE(info.source.empty()) << info.name;
     std::set<std::string> known;
     for (const ParameterInfo& parameter : info.parameters) {
@@ -162,6 +163,7 @@ TEST(Effects, HaveASectionEachInTheDocs) {
     ASSERT_NE(begin, std::string::npos) << entry.info.name;
     const std::string section = page.substr(begin, page.find("\n## ", begin) - begin);
     EXPECT_NE(section.find(entry.info.title), std::string::npos) << entry.info.name;
+    EXPECT_NE(section.find(entry.info.summary), std::string::npos) << entry.info.name;
     EXPECT_NE(section.find(entry.info.source), std::string::npos) << entry.info.name;
     for (const ParameterInfo& parameter : entry.info.parameters) {
       EXPECT_NE(section.find("| `" + parameter.name + "` |"), std::string::npos) << parameter.name;

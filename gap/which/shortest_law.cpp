@@ -1,0 +1,118 @@
+#include "gap/which/shortest_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kMostTerms = 2;
+constexpr double kTermGain = 0.1;  // of what is to be explained: less does not earn a term
+constexpr double kSteepest_deg = 85.0;
+
+using Row = ResidualTable::Row;
+using Column = Eigen::VectorXd;
+
+/// A function of one covariate that a law may have; NaN where it is not defined.
+struct SimpleFunction {
+  const char* name;
+  double (*of)(double);
+};
+
+constexpr SimpleFunction kFunctions[] = {
+    {"x", [](double x) { return x; }},
+    {"x²", [](double x) { return x * x; }},
+    {"1/x", [](double x) { return x > 0.0 ? 1.0 / x : NAN; }},
+    {"ln x", [](double x) { return x > 0.0 ? std::log(x) : NAN; }},
+};
+constexpr SimpleFunction kOfIncidence = {"tan² x", [](double x) {
+                                           const double slope = std::tan(x * std::numbers::pi / 180.0);
+                                           return x < kSteepest_deg ? slope * slope : NAN;
+                                         }};
+
+/// A function of a covariate, its values standardised as on the fitted rows.
+struct Feature {
+  const Covariate* covariate;
+  SimpleFunction function;
+  double mean = 0.0;
+  double spread = 1.0;
+
+  [[nodiscard]] Column on(const std::vector<Row>& rows) const {
+    Column column(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      column[static_cast<Eigen::Index>(i)] = (function.of(covariate->number(rows[i])) - mean) / spread;
+    return column;
+  }
+};
+
+/// Functions that are defined on all rows and not constant.
+std::vector<Feature> featuresOf(const std::vector<Covariate>& covariates, const Residuals& fit,
+                                const Residuals& judge) {
+  std::vector<Feature> features;
+  const auto offer = [&](const Covariate& covariate, const SimpleFunction& function) {
+    Feature feature{&covariate, function};
+    const Column values = feature.on(fit.rows);
+    if (!values.allFinite() || !feature.on(judge.rows).allFinite()) return;
+    feature.mean = values.mean();
+    feature.spread = std::sqrt((values.array() - feature.mean).square().mean());
+    if (feature.spread > 1e-9 * std::max(1.0, std::abs(feature.mean))) features.push_back(feature);
+  };
+  for (const Covariate& covariate : covariates) {
+    if (!covariate.numeric) continue;
+    for (const SimpleFunction& function : kFunctions) offer(covariate, function);
+    if (covariate.name == "incidence_deg") offer(covariate, kOfIncidence);
+  }
+  return features;
+}
+
+Eigen::MatrixXd matrixOf(const std::vector<Feature>& features, const std::vector<Row>& rows) {
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(features.size()) + 1);
+  matrix.col(0).setOnes();
+  for (std::size_t f = 0; f < features.size(); ++f) matrix.col(static_cast<Eigen::Index>(f) + 1) = features[f].on(rows);
+  return matrix;
+}
+
+Law lawOf(const std::vector<Feature>& chosen, const Column& coefficients) {
+  Law law;
+  law.constant = coefficients[0];
+  for (std::size_t f = 0; f < chosen.size(); ++f) {
+    const double coefficient = coefficients[static_cast<Eigen::Index>(f) + 1] / chosen[f].spread;
+    law.constant -= coefficient * chosen[f].mean;
+    law.terms.push_back({chosen[f].covariate->name, chosen[f].function.name, coefficient});
+  }
+  return law;
+}
+
+}  // namespace
+
+Law shortestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, const Residuals& judge) {
+  const std::vector<Feature> offered = featuresOf(covariates, fit, judge);
+  std::vector<Feature> chosen;
+  Column coefficients = fitted(matrixOf(chosen, fit.rows), fit);
+  double left = fit.squares(matrixOf(chosen, fit.rows) * coefficients);
+  const double worth_a_term = kTermGain * fit.squares();
+  while (chosen.size() < kMostTerms) {
+    std::vector<Feature> best;
+    double least = left - worth_a_term;
+    for (const Feature& feature : offered) {
+      std::vector<Feature> tried = chosen;
+      tried.push_back(feature);
+      const Eigen::MatrixXd matrix = matrixOf(tried, fit.rows);
+      const double now = fit.squares(matrix * fitted(matrix, fit));
+      if (now >= least) continue;
+      least = now;
+      best = std::move(tried);
+    }
+    if (best.empty()) break;
+    chosen = std::move(best);
+    coefficients = fitted(matrixOf(chosen, fit.rows), fit);
+    left = least;
+  }
+  Law law = lawOf(chosen, coefficients);
+  law.explained = 1.0 - judge.squares(matrixOf(chosen, judge.rows) * coefficients) / std::max(1e-9, judge.squares());
+  return law;
+}
+
+}  // namespace gap
