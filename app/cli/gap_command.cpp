@@ -90,7 +90,7 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
     }
   }
   if (diagnosis.verdict.kind == gap::VerdictKind::kUnknown && diagnosis.rest && !diagnosis.rest->laws.empty())
-    out << "  pattern: measured minus simulated, " << gap::patternText(diagnosis.rest->laws.front()) << "\n";
+    out << "  pattern: " << gap::patternText(diagnosis.rest->laws.front()) << "\n";
   for (const gap::Cause& cause : diagnosis.causes) {
     const auto& names = diagnosis.verdict.names;
     const bool named = std::find(names.begin(), names.end(), cause.name) != names.end();

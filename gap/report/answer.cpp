@@ -141,6 +141,12 @@ std::string agreementText(const Diagnosis& diagnosis) {
                               "sensor's resolution to matter.");
 }
 
+/// The wave that most of what is left follows, if any.
+const Law::Term* waveOf(const Diagnosis& diagnosis) {
+  if (!diagnosis.rest || diagnosis.rest->laws.empty()) return nullptr;
+  return waveIn(diagnosis.rest->laws.front());
+}
+
 std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
   std::vector<Html> items;
   const VerdictKind kind = diagnosis.verdict.kind;
@@ -155,6 +161,13 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
       items.push_back(
           report::text("Look for what moves, drifts or alternates between frames: a mirror with several "
                        "facets, a warm-up, a vibration, frames of several set-ups in one file."));
+    if (const Law::Term* wave = waveOf(diagnosis)) {
+      items.push_back(report::text(
+          wave->covariate == "range_m"
+              ? "Look at how the sensor measures time first: what repeats over distance is seldom the scene's doing."
+              : "Look at the sensor's mirror and angle encoder first: what repeats over azimuth is seldom the scene's "
+                "doing."));
+    }
     items.push_back(
         report::text("Look where they differ (next section): it tells in which part of the sensor or scene to "
                      "search."));
@@ -222,8 +235,7 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
                                                        percent(std::max(0.0, nearest.explained)), why_not))});
   }
   if (diagnosis.verdict.kind == VerdictKind::kUnknown && diagnosis.rest && !diagnosis.rest->laws.empty())
-    facts.push_back(
-        {"A pattern in it", report::text("Measured minus simulated, " + patternText(diagnosis.rest->laws.front()))});
+    facts.push_back({"A pattern in it", report::text(patternText(diagnosis.rest->laws.front()))});
   if (diagnosis.present && !diagnosis.where.empty()) {
     const WhereRow& most = diagnosis.where.front();
     facts.push_back({"Where it shows most",

@@ -338,16 +338,20 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
+const Law::Term* waveIn(const Law& law) {
+  return law.terms.size() == 1 && law.terms.front().period > 0.0 ? &law.terms.front() : nullptr;
+}
+
 std::string patternText(const Law& law) {
-  const std::string of_it = percent(law.explained);
-  const std::string what = componentTitle(law.measurand, law.component);
-  const Law::Term* wave = law.terms.size() == 1 && law.terms.front().period > 0.0 ? &law.terms.front() : nullptr;
-  if (!wave)
-    return fmt::format("{} ≈ {}{} ({} of it).", what, formulaOf(law), law.unit.empty() ? "" : " " + law.unit, of_it);
-  const bool range = wave->covariate == "range_m";
-  return fmt::format("{}: it goes up and down by {}, again every {} of {} ({} of it).", what,
-                     withUnit(wave->coefficient, law.unit), withUnit(wave->period, range ? "m" : "°"),
-                     range ? "distance" : "azimuth", of_it);
+  const Law::Term* wave = waveIn(law);
+  const std::string unit = law.unit.empty() ? "" : " " + law.unit;
+  const bool range = wave && wave->covariate == "range_m";
+  const std::string how =
+      wave ? fmt::format("goes up and down by ± {} and repeats every {} of {}", withUnit(wave->coefficient, law.unit),
+                         withUnit(wave->period, range ? "m" : "°"), range ? "distance" : "azimuth")
+           : fmt::format("follows {}{}", formulaOf(law), unit);
+  return fmt::format("The {}, measured minus simulated, {}: {} of what is left there.",
+                     componentTitle(law.measurand, law.component), how, percent(law.explained));
 }
 
 bool hardlyAnyLeft(const Rest& rest) {

@@ -27,8 +27,10 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
-/// The same for a reader: "mean of the range: it goes up and down by 0.03 m, again every 0.9 m of distance
-/// (95 % of it)."
+/// The wave that a law consists of; null for other laws.
+[[nodiscard]] const Law::Term* waveIn(const Law& law);
+/// The same for a reader: "The mean of the range, measured minus simulated, goes up and down by ± 0.03 m and repeats
+/// every 0.9 m of distance: 95 % of what is left there."
 [[nodiscard]] std::string patternText(const Law& law);
 
 /// So little of the gap is left that nobody asks what it depends on.

@@ -28,6 +28,14 @@ TEST_P(SharedCase, WithheldCauseIsNamed) {
     if (diagnosis.after) {
       EXPECT_NEAR(diagnosis.shrink.fraction, item["gap"]["shrink"].get<double>(), 0.08);
     }
+    // An effect outside the library that repeats itself: what is left is described, though nothing is named.
+    if (const auto& parameters = item["parameters"]; parameters.contains("period_m")) {
+      ASSERT_TRUE(diagnosis.rest && !diagnosis.rest->laws.empty());
+      const gap::Law::Term& wave = diagnosis.rest->laws.front().terms.front();
+      EXPECT_EQ(wave.covariate, "range_m");
+      EXPECT_NEAR(wave.period, parameters["period_m"].get<double>(), 0.005);
+      EXPECT_NEAR(wave.coefficient, parameters["amplitude_m"].get<double>(), 0.0015);
+    }
   }
 }
 

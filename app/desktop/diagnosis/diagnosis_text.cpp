@@ -84,8 +84,7 @@ QString verdictPart(const GapReport& report, const QPalette& palette) {
     if (!summary.empty()) page += html::paragraph("<i>" + html::text(name + ": " + summary) + "</i>");
   }
   if (report.verdict.kind == gap::VerdictKind::kUnknown && report.rest && !report.rest->laws.empty()) {
-    page += html::paragraph(QObject::tr("A pattern in it: measured minus simulated, ") +
-                            html::text(gap::patternText(report.rest->laws.front())));
+    page += html::paragraph(html::text(gap::patternText(report.rest->laws.front())));
   }
   QString facts = QObject::tr("Experiment %1, model %2.").arg(html::text(report.experiment), html::text(report.model));
   if (!report.verdict.indistinguishable_from.empty()) {

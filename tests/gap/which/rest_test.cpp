@@ -128,7 +128,8 @@ TEST(Wording, AWaveIsAFormulaAndASentence) {
   law.explained = 0.95;
   EXPECT_EQ(gap::formulaOf(law), "0.001 + 0.03·sin(2π·(range_m − 0.2)/0.9)");
   EXPECT_EQ(gap::patternText(law),
-            "mean of the range: it goes up and down by 0.03 m, again every 0.9 m of distance (95 % of it).");
+            "The mean of the range, measured minus simulated, goes up and down by ± 0.03 m and repeats every 0.9 m of "
+            "distance: 95 % of what is left there.");
 }
 
 }  // namespace
