@@ -107,7 +107,7 @@ std::vector<report::Definition> words() {
            "100 %: what is left is noise."),
       word("gap shrinks by", "word-shrinks",
            "By how much the total gap falls on the held-out samples when the cause is added. Below zero: it grows."),
-      word("named", "", "What the answer says is the cause; the others are listed for comparison."),
+      word("“named”", "", "What the answer says is the cause; the others are listed for comparison."),
       word("confidence", "word-confidence",
            "How sure the answer is, between 0 and 100 %. The causes that explain the data share it; what is missing to "
            "100 % is the belief that it is none of them. It is lower where data are few."),

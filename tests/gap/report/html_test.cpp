@@ -117,6 +117,7 @@ TEST(GapPage, OfAMissingEffectNamesItWithItsStrengthItsTrustAndItsNextSteps) {
   expectSoundPage(html);
   EXPECT_THAT(html, HasSubstr("missing effect"));
   EXPECT_THAT(html, HasSubstr("attenuation by the atmosphere"));
+  EXPECT_THAT(html, HasSubstr("Fog, haze or rain weaken the light"));  // for who never heard of it
   EXPECT_THAT(html, HasSubstr("<code>atmospheric-attenuation</code>"));
   EXPECT_THAT(html, HasSubstr("522 m (95 % interval 450 to 594 m)"));
   EXPECT_THAT(html, HasSubstr("searched 20 to 20000 m"));
@@ -147,6 +148,16 @@ TEST(GapPage, OfAnUnknownCauseShowsTheNearestButProposesNothing) {
   EXPECT_THAT(html, HasSubstr("41 %"));
   EXPECT_THAT(html, Not(HasSubstr("id=\"proposal\"")));
   EXPECT_THAT(html, Not(HasSubstr(">named<")));
+}
+
+TEST(GapPage, OfAnUnknownCauseSaysWhatRepeatsItselfAndWhereToLookFirst) {
+  gap::Diagnosis d = plainDiagnosis(gap::VerdictKind::kUnknown);
+  d.rest = gap::Rest{.left = 1.0, .systematic = 0.98, .laws = {{"range", "bias", "m", 0.0, {}, 0.98}}};
+  d.rest->laws.front().terms = {{"range_m", "sin x", 0.03, 0.9, 0.2}};
+  const std::string html = gap::reportHtml(d);
+  expectSoundPage(html);
+  EXPECT_THAT(html, HasSubstr("repeats every 0.9 m of distance: 98 % of what is left there."));
+  EXPECT_THAT(html, HasSubstr("Look at how the sensor measures time first"));
 }
 
 TEST(GapPage, OfAWrongParameterSaysWhatTheFileSaysAndWhatTheMeasurementAsksFor) {
