@@ -89,8 +89,8 @@ void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
       out << "  where: " << gap::whereSentence(diagnosis.where[i]) << "\n";
     }
   }
-  if (diagnosis.verdict.kind == gap::VerdictKind::kUnknown && diagnosis.rest && !diagnosis.rest->laws.empty())
-    out << "  pattern: " << gap::patternText(diagnosis.rest->laws.front()) << "\n";
+  if (const gap::Law* pattern = gap::patternIn(diagnosis.verdict, diagnosis.rest))
+    out << "  pattern: " << gap::patternText(*pattern) << "\n";
   for (const gap::Cause& cause : diagnosis.causes) {
     const auto& names = diagnosis.verdict.names;
     const bool named = std::find(names.begin(), names.end(), cause.name) != names.end();

@@ -159,9 +159,10 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
+    const bool at_edge = sole[b] == kMixed || stretchOf(hits.of(b)) > width_m;
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
-                        surface.weight, sole[b] == kMixed || stretchOf(hits.of(b)) > width_m});
+                        surface.weight, at_edge});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }

@@ -41,6 +41,11 @@ std::string setupText(const Cause& cause) {
   return core::join(offsets, "; ");
 }
 
+std::string upperFirst(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 /// The fitted numbers of what the verdict names.
 std::string strengthText(const Diagnosis& diagnosis) {
   std::vector<std::string> all;
@@ -56,8 +61,7 @@ std::string strengthText(const Diagnosis& diagnosis) {
     const std::string title = diagnosis.verdict.names.size() > 1 ? causeTitle(diagnosis, cause.name) + ": " : "";
     if (!numbers.empty()) all.push_back(title + core::join(numbers, "; "));
   }
-  for (std::string& sentence : all)
-    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  for (std::string& sentence : all) sentence = upperFirst(std::move(sentence));
   return all.empty() ? "" : core::join(all, ". ") + ".";
 }
 
@@ -67,9 +71,8 @@ std::string summaryText(const Diagnosis& diagnosis) {
   for (const std::string& name : diagnosis.verdict.names) {
     const std::string summary = causeSummary(name);
     if (summary.empty()) continue;
-    std::string title = causeTitle(diagnosis, name);
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-    all.push_back(diagnosis.verdict.names.size() > 1 ? title + ": " + summary : summary);
+    const bool several = diagnosis.verdict.names.size() > 1;
+    all.push_back(several ? upperFirst(causeTitle(diagnosis, name)) + ": " + summary : summary);
   }
   return core::join(all, " ");
 }
@@ -141,12 +144,6 @@ std::string agreementText(const Diagnosis& diagnosis) {
                               "sensor's resolution to matter.");
 }
 
-/// The wave that most of what is left follows, if any.
-const Law::Term* waveOf(const Diagnosis& diagnosis) {
-  if (!diagnosis.rest || diagnosis.rest->laws.empty()) return nullptr;
-  return waveIn(diagnosis.rest->laws.front());
-}
-
 std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
   std::vector<Html> items;
   const VerdictKind kind = diagnosis.verdict.kind;
@@ -161,7 +158,8 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
       items.push_back(
           report::text("Look for what moves, drifts or alternates between frames: a mirror with several "
                        "facets, a warm-up, a vibration, frames of several set-ups in one file."));
-    if (const Law::Term* wave = waveOf(diagnosis)) {
+    const Law* pattern = patternIn(diagnosis.verdict, diagnosis.rest);
+    if (const Law::Term* wave = pattern ? waveIn(*pattern) : nullptr) {
       items.push_back(report::text(
           wave->covariate == "range_m"
               ? "Look at how the sensor measures time first: what repeats over distance is seldom the scene's doing."
@@ -234,8 +232,8 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
                                                        causeTitle(diagnosis, nearest.name),
                                                        percent(std::max(0.0, nearest.explained)), why_not))});
   }
-  if (diagnosis.verdict.kind == VerdictKind::kUnknown && diagnosis.rest && !diagnosis.rest->laws.empty())
-    facts.push_back({"A pattern in it", report::text(patternText(diagnosis.rest->laws.front()))});
+  if (const Law* pattern = patternIn(diagnosis.verdict, diagnosis.rest))
+    facts.push_back({"A pattern in it", report::text(patternText(*pattern))});
   if (diagnosis.present && !diagnosis.where.empty()) {
     const WhereRow& most = diagnosis.where.front();
     facts.push_back({"Where it shows most",

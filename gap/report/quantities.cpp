@@ -32,9 +32,7 @@ std::string numberIn(const Readable& shown, double value, int digits) {
 
 }  // namespace
 
-std::string withUnit(double value, const std::string& unit, int digits) {
-  return numberIn(readable(std::abs(value), unit), value, digits);
-}
+std::string withUnit(double value, const std::string& unit, int digits) { return withUnitOf(0.0, value, unit, digits); }
 
 std::string withUnitOf(double largest, double value, const std::string& unit, int digits) {
   return numberIn(readable(std::max(largest, std::abs(value)), unit), value, digits);

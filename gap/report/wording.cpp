@@ -338,6 +338,11 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
+const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest) {
+  const bool told = verdict.kind == VerdictKind::kUnknown && rest && !rest->laws.empty();
+  return told ? &rest->laws.front() : nullptr;
+}
+
 const Law::Term* waveIn(const Law& law) {
   return law.terms.size() == 1 && law.terms.front().period > 0.0 ? &law.terms.front() : nullptr;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gap/diagnosis.h"
@@ -27,6 +28,8 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
+/// The law that a reader is told of where no cause explains the gap; null where one does, or nothing follows a law.
+[[nodiscard]] const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest);
 /// The wave that a law consists of; null for other laws.
 [[nodiscard]] const Law::Term* waveIn(const Law& law);
 /// The same for a reader: "The mean of the range, measured minus simulated, goes up and down by ± 0.03 m and repeats

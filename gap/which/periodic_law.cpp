@@ -138,8 +138,7 @@ std::optional<Law> periodicLaw(const std::vector<Covariate>& covariates, const R
     if (left >= least) continue;
     least = left;
     best = lawOf(covariate, frequency, coefficients);
-    best->explained =
-        1.0 - judge.squares(waveOf(covariate, frequency, judge.rows) * coefficients) / std::max(1e-9, judge.squares());
+    best->explained = judge.explainedBy(waveOf(covariate, frequency, judge.rows) * coefficients);
   }
   return best;
 }

@@ -41,6 +41,10 @@ double Residuals::squares(const Column& predicted) const {
 
 double Residuals::squares() const { return squares(Column::Zero(static_cast<Eigen::Index>(rows.size()))); }
 
+double Residuals::explainedBy(const Column& predicted) const {
+  return 1.0 - squares(predicted) / std::max(1e-9, squares());
+}
+
 Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Evidence& evidence) {
   const std::set<std::size_t> samples(evidence.samples.begin(), evidence.samples.end());
   Residuals residuals;

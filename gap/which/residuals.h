@@ -18,6 +18,8 @@ struct Residuals {
   /// Squares beyond noise of what a prediction leaves.
   [[nodiscard]] double squares(const Eigen::VectorXd& predicted) const;
   [[nodiscard]] double squares() const;
+  /// Share of the squares beyond noise that a prediction takes.
+  [[nodiscard]] double explainedBy(const Eigen::VectorXd& predicted) const;
 };
 
 /// Of the samples of `evidence`; some of them, evenly, where there are more than anybody needs.

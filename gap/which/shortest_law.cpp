@@ -111,7 +111,7 @@ Law shortestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, 
     left = least;
   }
   Law law = lawOf(chosen, coefficients);
-  law.explained = 1.0 - judge.squares(matrixOf(chosen, judge.rows) * coefficients) / std::max(1e-9, judge.squares());
+  law.explained = judge.explainedBy(matrixOf(chosen, judge.rows) * coefficients);
   return law;
 }
 

@@ -83,9 +83,8 @@ QString verdictPart(const GapReport& report, const QPalette& palette) {
     const std::string summary = gap::causeSummary(name);
     if (!summary.empty()) page += html::paragraph("<i>" + html::text(name + ": " + summary) + "</i>");
   }
-  if (report.verdict.kind == gap::VerdictKind::kUnknown && report.rest && !report.rest->laws.empty()) {
-    page += html::paragraph(html::text(gap::patternText(report.rest->laws.front())));
-  }
+  if (const gap::Law* pattern = gap::patternIn(report.verdict, report.rest))
+    page += html::paragraph(html::text(gap::patternText(*pattern)));
   QString facts = QObject::tr("Experiment %1, model %2.").arg(html::text(report.experiment), html::text(report.model));
   if (!report.verdict.indistinguishable_from.empty()) {
     facts += " " + QObject::tr("These data cannot tell it from %1.")
