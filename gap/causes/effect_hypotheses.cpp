@@ -129,24 +129,45 @@ bool walks(const Replay& replay, const std::vector<std::string>& fitted) {
   });
 }
 
-/// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
-bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std::vector<std::string>& fitted) {
-  if (entry.info.name == "range-walk") return walks(replay, fitted);
-  const bool of_motion = entry.info.name == "motion-scan" || entry.info.name == "latency";
-  const bool of_ways = entry.info.name == "transmission" || entry.info.name == "multipath";
-  if (!of_motion && !of_ways) return true;
-  if (of_motion && replay.baseline().model.has("motion-scan")) return true;  // the sensor itself may move
-  std::vector<double> typical;
-  for (const std::string& name : fitted) typical.push_back(declared(entry.info, name).start);
-  const auto effect = entry.make(parametersOf(fitted, typical));
-  for (const ReplaySample& sample : replay.samples()) {
+/// Whether anything in the scenes moves, or the sensor itself may.
+bool moves(const Replay& replay) {
+  if (replay.baseline().model.has("motion-scan")) return true;
+  const auto driven = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
     const model::Scene scene = model::situationOf(replay.experiment(), *sample.sample).scene;
-    const auto moves = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
-    const auto shines = [&](const model::Material& m) { return effect->letsThrough(m) || effect->mirrors(m); };
-    if (of_motion && std::any_of(scene.objects.begin(), scene.objects.end(), moves)) return true;
-    if (of_ways && std::any_of(scene.materials.begin(), scene.materials.end(), shines)) return true;
+    return std::any_of(scene.objects.begin(), scene.objects.end(), driven);
+  });
+}
+
+/// Whether any material lets light through.
+bool hasPanes(const Replay& replay, const model::Effect& effect) {
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    const auto materials = model::situationOf(replay.experiment(), *sample.sample).scene.materials;
+    return std::any_of(materials.begin(), materials.end(), [&](const auto& m) { return effect.letsThrough(m); });
+  });
+}
+
+/// Whether mirrors turn any ray to something else: without that, they take a share of the light as anything does.
+bool hasGhosts(const Replay& replay, const World& mirroring) {
+  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
+    if (replay.mirrors(mirroring, s)) return true;
   }
   return false;
+}
+
+/// Whether anything in the samples gives the effect something to act on; what can change nothing is not tried.
+bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std::vector<std::string>& fitted) {
+  const std::string& name = entry.info.name;
+  if (name == "range-walk") return walks(replay, fitted);
+  if (name == "motion-scan" || name == "latency") return moves(replay);
+  if (name != "transmission" && name != "multipath") return true;
+  std::vector<double> typical;
+  for (const std::string& number : fitted) typical.push_back(declared(entry.info, number).start);
+  const model::EffectParameters parameters = parametersOf(fitted, typical);
+  if (name == "transmission") return hasPanes(replay, *entry.make(parameters));
+  World mirroring = replay.baseline();
+  mirroring.model = model::withEffect(mirroring.model, {name, parameters, {}});
+  return hasGhosts(replay, mirroring);
 }
 
 /// Whether the model lacks an effect and `only` allows it. Angle clipping changes no byte of the output.

@@ -330,6 +330,15 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
   return untouched_.try_emplace(key, std::move(statistics)).first->second;
 }
 
+bool Replay::mirrors(const World& world, std::size_t sample) const {
+  const Geometry geometry = geometryOf(world, sample);
+  const auto& ways = geometry->hits.second;
+  return std::any_of(ways.begin(), ways.end(), [](const model::SecondHit& way) {
+    const auto end = way.turns.begin() + static_cast<std::ptrdiff_t>(way.turn_count);
+    return std::any_of(way.turns.begin(), end, [](const model::Turn& turn) { return turn.mirrored; });
+  });
+}
+
 core::Detections Replay::detections(const World& world, std::size_t s, std::uint64_t seed) const {
   return reported(fire(world, s, samples_[s].frames, seed), world, s);
 }

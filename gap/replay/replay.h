@@ -93,6 +93,8 @@ class Replay {
   /// Cell statistics of `frames` simulated frames of a sample.
   [[nodiscard]] std::vector<CellStatistics> simulate(const World& world, std::size_t sample, int frames,
                                                      std::uint64_t seed) const;
+  /// Whether any sub-ray of a sample meets something by way of a mirror.
+  [[nodiscard]] bool mirrors(const World& world, std::size_t sample) const;
   /// All frames of a sample as the sensor would report them.
   [[nodiscard]] core::Detections detections(const World& world, std::size_t sample, std::uint64_t seed) const;
   /// The same of the built-in lidar, whatever the model under test is.

@@ -183,6 +183,22 @@ TEST(Hypotheses, AFactorThatAllLayersShareIsNoUnevenness) {
     EXPECT_NEAR(gain, 1.0, 0.01);
 }
 
+// Surfaces that mirror where nothing stands in the mirror take a share of the light, as dirt and a weak emitter do.
+TEST(Hypotheses, MirrorsAreTriedOnlyWhereTheyShowAnything) {
+  const auto mirrorsIn = [](const SmallWorld& world, const SmallWorld::Effects& effects) {
+    const auto measured = world.measuredBy(SmallWorld::modelWith(effects), 0.4);
+    const gap::Replay replay(measured, SmallWorld::modelWith(effects));
+    const auto all = gap::hypothesesFor(replay, {"multipath"});
+    return std::count_if(all.begin(), all.end(), [](const gap::Hypothesis& h) { return h.name == "multipath"; });
+  };
+  const SmallWorld::Effects panes = {{"transmission", nlohmann::json::object()}};
+  EXPECT_EQ(mirrorsIn(SmallWorld(), {}), 0);
+  EXPECT_EQ(mirrorsIn(SmallWorld(), panes), 0);
+  SmallWorld glazed;
+  glazed.behindAPane(5.0);
+  EXPECT_GT(mirrorsIn(glazed, panes), 0);  // the wall shows the pane its back
+}
+
 // Their mean is one only by chance, and four gains that scatter by 0.15 may well have one of 1.02.
 TEST(Hypotheses, AnUnevennessIsSeenAsItIsAndBesideAWeakEmitterWithoutTheFactorOfThat) {
   const std::vector<double> gains = {1.15, 0.9, 1.08, 0.95};
