@@ -299,6 +299,12 @@ double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
   return cause == diagnosis.causes.end() ? 0.0 : cause->confidence;
 }
 
+/// A cause that takes nearly all of the deviation of all cells takes that of echoes without a surface, too.
+Stray strayIn(const Decision& decision) {
+  const bool explained = decision.winner && decision.winner->explained >= kNearlyAllCells;
+  return explained ? Stray::kExplained : Stray::kUnexplained;
+}
+
 /// The confidence is that in the verdict as it stands: that it is one of two, if it says that it cannot tell them
 /// apart; of a pair, that in the less certain of its members.
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
@@ -321,7 +327,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.evidence = evidenceOf(judge, decision);
-  verdict.limits = limitsOf(judge.replay, judge.split);
+  verdict.limits = limitsOf(judge.replay, judge.split, strayIn(decision));
 }
 
 }  // namespace
@@ -381,7 +387,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   }
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, first.split.held_out, decision, diagnosis);
-  diagnosis.notes = notesOn(replay);
+  diagnosis.notes = notesOn(replay, strayIn(decision));
   if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);

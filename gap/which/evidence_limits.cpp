@@ -80,7 +80,7 @@ void noteMeasurands(const Replay& replay, std::vector<std::string>& notes) {
 
 }  // namespace
 
-std::vector<std::string> limitsOf(const Replay& replay, const Split& split) {
+std::vector<std::string> limitsOf(const Replay& replay, const Split& split, Stray stray) {
   std::vector<std::string> limits;
   const auto& samples = replay.samples();
   std::size_t cells = 0;
@@ -107,7 +107,7 @@ std::vector<std::string> limitsOf(const Replay& replay, const Split& split) {
   if (!pooled && cells < kFewCells)
     limits.push_back(fmt::format("only {} beams meet a surface, all samples together", cells));
   if (detections < kFewDetections) limits.push_back(fmt::format("there are only {} detections", detections));
-  if (shareBeside(replay) > kMostBeside)
+  if (stray == Stray::kUnexplained && shareBeside(replay) > kMostBeside)
     limits.emplace_back(
         "most of the measured detections lie where the scene has no surface, so hardly any can be paired");
   if (held_out <= 0.0) limits.emplace_back("the held-out samples hold no detection");
@@ -118,7 +118,7 @@ double mostConfidence(std::size_t limits) {
   return limits == 0 ? 1.0 : kMostWithOne * std::pow(kFurtherLimit, static_cast<double>(limits - 1));
 }
 
-std::vector<std::string> notesOn(const Replay& replay) {
+std::vector<std::string> notesOn(const Replay& replay, Stray stray) {
   std::vector<std::string> notes;
   noteMeasurands(replay, notes);
   const auto empty = idsOf(replay, [](const ReplaySample& s) { return s.measured.size() == 0; });
@@ -132,7 +132,7 @@ std::vector<std::string> notesOn(const Replay& replay) {
                     ": compared as a whole, without missing and extra echoes.");
   }
   const double beside = shareBeside(replay);
-  if (beside > kMuchBeside) {
+  if (stray == Stray::kUnexplained && beside > kMuchBeside) {
     notes.push_back(
         fmt::format("{:.0f} % of the measured detections lie where the scene has no surface. Check the "
                     "poses of the scene, the unit of the ranges and which way the azimuth counts.",

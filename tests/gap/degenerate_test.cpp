@@ -212,6 +212,28 @@ TEST_F(Degenerate, DetectionsWhereTheSceneHasNothingAreSaid) {
   EXPECT_LE(diagnosis.verdict.confidence, 0.5) << diagnosis.verdict.text;
 }
 
+// Fog that throws back most echoes is no scene that does not fit.
+TEST_F(Degenerate, EchoesOfTheCauseThatIsNamedAreNoLimit) {
+  const auto model = SmallWorld::modelWith({});
+  const auto foggy =
+      world_.measuredBy(SmallWorld::modelWith({{"atmospheric-backscatter", {{"visibility_m", 40}}}}), 0.4);
+  std::size_t near = 0, all = 0;
+  for (const model::Sample& sample : foggy.samples) {
+    for (const double range_m : model::readMeasurements(foggy, sample).range_m) {
+      near += range_m < 7.0 ? 1 : 0;  // no wall stands there
+      ++all;
+    }
+  }
+  ASSERT_GT(near, all / 2);
+  core::SilentProgress progress;
+  const gap::Diagnosis diagnosis =
+      gap::diagnose(foggy, model, {.library = {"atmospheric-backscatter", "false-alarm"}}, progress);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-backscatter"});
+  EXPECT_GT(diagnosis.verdict.confidence, 0.5);
+  EXPECT_TRUE(diagnosis.verdict.limits.empty()) << diagnosis.verdict.text;
+  EXPECT_FALSE(says(diagnosis.notes, "where the scene has no surface"));
+}
+
 TEST_F(Degenerate, WithoutDirectionsSamplesAreComparedAsAWholeAndThatIsSaid) {
   for (std::size_t s = 0; s < json_["samples"].size(); ++s) {
     rewrite(s, [](int, std::string& line) {
