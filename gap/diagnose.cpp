@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "core/forward_progress.h"
 #include "gap/background.h"
@@ -8,8 +7,8 @@
 #include "gap/distance/models_grid.h"
 #include "gap/far/how_far.h"
 #include "gap/report/wording.h"
+#include "gap/verdict.h"
 #include "gap/where/pictures.h"
-#include "gap/which/belief.h"
 #include "gap/which/candidates.h"
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
@@ -21,16 +20,9 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kPairBelief = 0.8;     // of the belief in one cause: either of the two may be another one
-constexpr double kWeakBelief = 0.75;    // of the belief, if no whole sample could be held out
-constexpr double kLeastNamed = 0.5;     // of a cause that is named because nothing else is left: it explains little
-constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
-constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
-constexpr double kNoneBelief = 0.8;    // that nothing is missing, where nothing is seen: weak causes are not
-constexpr double kConvincing = 0.85;   // of the gap: a cause that accounts for so much stands beside them
-constexpr double kMostOfTheGap = 0.5;  // gone without what moves whole frames: nothing else explains the gap
+constexpr double kConvincing = 0.85;     // of the gap: a cause that accounts for so much stands beside them
+constexpr double kMostOfTheGap = 0.5;    // gone without what moves whole frames: nothing else explains the gap
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
-constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
@@ -51,28 +43,6 @@ model::LidarModel withInlineSensor(const model::LidarModel& model) {
   nlohmann::json json = model.json;
   model::writeOutSensors(json, model.file);
   return model::parseModel(json, model.file);
-}
-
-Cause toCause(const Candidate& candidate) {
-  Cause cause;
-  cause.kind = candidate.hypothesis.kind;
-  cause.name = candidate.hypothesis.name;
-  cause.variant = candidate.hypothesis.variant;
-  cause.sensors = candidate.hypothesis.sensors;
-  cause.percollect = candidate.hypothesis.percollect;
-  cause.decomposition_block = candidate.hypothesis.decomposition_block;
-  cause.explained = std::clamp(candidate.explained, 0.0, 1.0);
-  for (std::size_t i = 0; i < candidate.values.size(); ++i) {
-    const FreeParameter& p = candidate.hypothesis.parameters[i];
-    FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt, Interval{p.low, p.high}, std::nullopt};
-    if (cause.kind == CauseKind::kParameter) fitted.recorded = p.start;
-    if (candidate.hypothesis.per_setup) {
-      cause.setups[p.name] = fitted;
-    } else {
-      cause.parameters.push_back(fitted);
-    }
-  }
-  return cause;
 }
 
 /// What is known of the gap before any cause is tried.
@@ -144,51 +114,6 @@ void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t see
   diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
 }
 
-/// That a cause is at work, before others are compared with it.
-double beliefIn(const Judge& judge, const Candidate& candidate) {
-  const double accounted_for = candidate.hypothesis.seen_in_values ? 1.0 : judge.accountedFor(candidate);
-  return beliefIn(judge.yardstick, accounted_for, candidate.hypothesis.kind);
-}
-
-/// The causes that are listed, the verdict's first; the winner's shrink comes with its interval in fillWinner.
-void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& decision, bool frames_deviate,
-                Diagnosis& diagnosis, const core::Progress& progress) {
-  constexpr std::size_t kListed = 6;
-  // Pooled data show no map, so what a cause does to single beams is not seen.
-  const bool pooled = judge.replay.samples().front().layout->pooled();
-  const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0);
-  const double named = decision.winner ? kLeastNamed : 0.0;
-  const auto beliefOf = [&](const Candidate& candidate) { return most * std::max(named, beliefIn(judge, candidate)); };
-  const auto confidences =
-      decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
-  std::vector<std::string> listed;
-  const auto list = [&](const Candidate& candidate, double confidence) {
-    diagnosis.causes.push_back(toCause(candidate));
-    diagnosis.causes.back().confidence = confidence;
-    listed.push_back(candidate.hypothesis.name);
-  };
-  if (decision.pair()) {
-    const double belief = kPairBelief * beliefOf(*decision.winner);
-    for (const Candidate& member : membersOf(*decision.winner))
-      list(member, belief * shareOf(decision, member.hypothesis.name));
-    for (const auto& [name, pair] : tiedPairs(decision)) {
-      for (const Candidate& member : membersOf(pair))
-        if (member.hypothesis.name == name) list(member, belief * shareOf(decision, name));
-      diagnosis.causes.back().shrink = gaps.with(worldOf(judge.replay, pair.hypothesis, pair.values), progress).shrink;
-    }
-  }
-  for (std::size_t i = 0; i < decision.singles.size() && diagnosis.causes.size() < kListed; ++i) {
-    const Candidate& candidate = decision.singles[i];
-    if (std::find(listed.begin(), listed.end(), candidate.hypothesis.name) != listed.end()) continue;
-    const bool is_winner = decision.winner && !decision.pair() && i == 0;
-    if (candidate.explained < 0.02 && !is_winner) break;
-    list(candidate, decision.pair() ? 0.05 * confidences[i] : confidences[i]);
-    if (is_winner) continue;
-    const World world = worldOf(judge.replay, candidate.hypothesis, candidate.values);
-    diagnosis.causes.back().shrink = gaps.with(world, progress).shrink;
-  }
-}
-
 /// The fitted or held-out sample at which the two best candidates differ most.
 std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision& decision) {
   const Replay& replay = judge.replay;
@@ -250,23 +175,6 @@ void fillWinner(const Judge& quick, const Judge& exact, const Decision& decision
   }
 }
 
-/// Few data never make a verdict that anybody should rely upon, whatever they seem to say.
-void heedLimits(Diagnosis& diagnosis) {
-  Verdict& verdict = diagnosis.verdict;
-  const double most = mostConfidence(verdict.limits.size());
-  verdict.confidence = std::min(verdict.confidence, most);
-  for (Cause& cause : diagnosis.causes) cause.confidence = std::min(cause.confidence, most);
-}
-
-/// A cause that was found by way of a proxy is as good as the proxy.
-void heedApproximation(Diagnosis& diagnosis) {
-  if (!diagnosis.approximation || diagnosis.verdict.kind == VerdictKind::kNone)
-    return;  // no proxy takes part in `none`
-  const double trust = diagnosis.approximation->trust();
-  for (Cause& cause : diagnosis.causes) cause.confidence *= trust;
-  if (!diagnosis.verdict.names.empty()) diagnosis.verdict.confidence *= trust;
-}
-
 /// Maps, curves, and what each cause would be taken for.
 void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& where, const Evidence& held_out,
                   const Decision& decision, Diagnosis& diagnosis) {
@@ -276,58 +184,6 @@ void fillPictures(const Judge& quick, const Judge& exact, const WhereResult& whe
                                        held_out.seed);
   diagnosis.confusion =
       confusionOf(quick.replay, worldsOf(quick.replay, decision, diagnosis.causes), exact.split.held_out);
-}
-
-/// Of the winner; of the best cause where none was found good enough.
-VerdictEvidence evidenceOf(const Judge& judge, const Decision& decision) {
-  VerdictEvidence evidence{.gap_z = judge.yardstick.z()};
-  if (decision.singles.empty()) return evidence;
-  const Candidate& best = decision.winner ? *decision.winner : decision.singles.front();
-  evidence.explained = std::clamp(best.explained, -kMostExplained, kMostExplained);
-  evidence.total_left = best.total_left;
-  const auto& rivals = decision.pair() ? decision.pairs : decision.singles;
-  const auto next = std::find_if(rivals.begin(), rivals.end(), [&](const Candidate& candidate) {
-    return candidate.hypothesis.name != best.hypothesis.name;
-  });
-  if (next != rivals.end()) evidence.lead = best.merit - next->merit;
-  return evidence;
-}
-
-double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
-  const auto cause = std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
-                                  [&](const Cause& listed) { return listed.name == name; });
-  return cause == diagnosis.causes.end() ? 0.0 : cause->confidence;
-}
-
-/// A cause that takes nearly all of the deviation of all cells takes that of echoes without a surface, too.
-Stray strayIn(const Decision& decision) {
-  const bool explained = decision.winner && decision.winner->explained >= kNearlyAllCells;
-  return explained ? Stray::kExplained : Stray::kUnexplained;
-}
-
-/// The confidence is that in the verdict as it stands: that it is one of two, if it says that it cannot tell them
-/// apart; of a pair, that in the less certain of its members.
-void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
-  Verdict& verdict = diagnosis.verdict;
-  verdict.kind = decision.kind;
-  verdict.frames_move = decision.frames_move;
-  diagnosis.present = decision.kind != VerdictKind::kNone;
-  if (decision.winner) {
-    verdict.names = decision.names();
-    verdict.beside = decision.beside();
-    verdict.confidence = diagnosis.causes.front().confidence;
-    if (decision.pair()) verdict.confidence = std::min(verdict.confidence, diagnosis.causes[1].confidence);
-    verdict.indistinguishable_from = decision.ties();
-    if (!decision.pair() && verdict.indistinguishable_from.size() == 1)
-      verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
-  } else if (verdict.kind == VerdictKind::kNone) {
-    verdict.confidence = kNoneBelief;
-  } else {
-    verdict.confidence = kUnknownBelief;
-    for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
-  }
-  verdict.evidence = evidenceOf(judge, decision);
-  verdict.limits = limitsOf(judge.replay, judge.split, strayIn(decision));
 }
 
 }  // namespace
@@ -391,8 +247,6 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
-  heedApproximation(diagnosis);
-  heedLimits(diagnosis);
   diagnosis.verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.report(1.0, "done");

@@ -12,6 +12,7 @@
 #include "gap/diagnosis.h"
 #include "gap/report/html.h"
 #include "gap/report/json.h"
+#include "gap/report/rest_wording.h"
 #include "gap/report/wording.h"
 #include "percollect/read_graph.h"
 

@@ -1,6 +1,7 @@
 #include "gap/report/json.h"
 
 #include "core/version.h"
+#include "gap/report/rest_wording.h"
 #include "gap/report/wording.h"
 
 namespace gap {

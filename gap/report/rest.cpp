@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "gap/report/rest_wording.h"
 #include "gap/report/sections.h"
 #include "gap/report/wording.h"
 

@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "core/json_object.h"
 #include "gap/report/json.h"
-#include "gap/report/wording.h"
+#include "gap/report/rest_wording.h"
 #include "tests/proposals/demo_project.h"
 #include "tests/support/thrown_message.h"
 

@@ -8,6 +8,7 @@
 #include "app/desktop/colours.h"
 #include "app/desktop/html.h"
 #include "core/text.h"
+#include "gap/report/rest_wording.h"
 #include "gap/report/wording.h"
 
 namespace desktop {

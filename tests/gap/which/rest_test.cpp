@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "gap/report/wording.h"
+#include "gap/report/rest_wording.h"
 #include "tests/gap/small_world.h"
 
 namespace {
