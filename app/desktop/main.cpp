@@ -4,9 +4,11 @@
 #include <QCommandLineParser>
 #include <QSettings>
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "app/desktop/colours.h"
 #include "app/desktop/error_dialog.h"
@@ -17,12 +19,14 @@
 
 namespace {
 
-/// Pictures need no screen: a build server has none.
-void drawWithoutScreenIfAsked(int argc, char** argv) {
-  const bool pictures = std::any_of(argv, argv + argc, [](const char* word) {
-    return std::strncmp(word, "--screenshot", std::strlen("--screenshot")) == 0;
+/// Pictures and answers to a terminal need no screen: a build server has none.
+void goWithoutScreenIfNoWindowIsAskedFor(int argc, char** argv) {
+  constexpr std::array<std::string_view, 5> kAnswers = {"-h", "--help", "--help-all", "-v", "--version"};
+  const bool no_window = std::any_of(argv, argv + argc, [&](const char* word) {
+    const bool picture = std::strncmp(word, "--screenshot", std::strlen("--screenshot")) == 0;
+    return picture || std::find(kAnswers.begin(), kAnswers.end(), word) != kAnswers.end();
   });
-  if (pictures && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (no_window && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
 }
 
 std::unique_ptr<QSettings> settingsFor(const QString& file) {
@@ -46,7 +50,7 @@ class Application final : public QApplication {
 }  // namespace
 
 int main(int argc, char** argv) {
-  drawWithoutScreenIfAsked(argc, argv);
+  goWithoutScreenIfNoWindowIsAskedFor(argc, argv);
   Application application(argc, argv);
   QApplication::setApplicationName("Fidelis");
   QApplication::setApplicationVersion(QString::fromStdString(std::string(core::kVersion)));

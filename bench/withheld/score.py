@@ -72,7 +72,17 @@ def judge_where(truth, report):
     if not truth["where"]:
         return measurand, None
     first = next((r for r in rows if r["covariate"] == truth["where"]["covariate"]), None)
-    return measurand, bool(first) and overlap(first["stratum"], truth["where"]["stratum"]) >= 0.5
+    return measurand, bool(first) and is_stratum(first, truth["where"]["stratum"])
+
+
+def is_stratum(row, true):
+    """Whether a row's stratum overlaps the true one by half, or lies in it and holds half of the gap: its ends are beams, and a sector of
+    a fifth of a degree holds one."""
+    stratum = row["stratum"]
+    if overlap(stratum, true) >= 0.5:
+        return True
+    numeric = all(isinstance(x, (int, float)) for x in (*stratum, *true)) and len(stratum) == len(true) == 2
+    return numeric and row["share"] >= 0.5 and true[0] <= stratum[0] <= stratum[1] <= true[1]
 
 
 def recovery(truth, report):

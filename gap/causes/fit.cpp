@@ -105,8 +105,10 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
   const auto gain = [&](double after) { return before > 0.0 ? 1.0 - after / before : 0.0; };
   const Objective objective(replay, hypothesis, few, progress);
   if (objective.dimensions() == 0) return {{}, gain(objective({}))};
-  std::vector<std::vector<double>> all = oneByOne(hypothesis);
-  all.insert(all.end(), starts.begin(), starts.end());
+  // Of values that do nothing on these samples the first is kept: what the map suggests, which has seen others, too.
+  std::vector<std::vector<double>> all = starts;
+  const auto single_numbers = oneByOne(hypothesis);
+  all.insert(all.end(), single_numbers.begin(), single_numbers.end());
   std::vector<double> typical;
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);

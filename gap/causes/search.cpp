@@ -272,8 +272,10 @@ std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned cou
 }
 
 Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts) {
-  std::vector<std::vector<double>> points = evenPoints(objective.dimensions(), coarseCount(objective.dimensions()));
+  std::vector<std::vector<double>> points;
   for (const auto& start : starts) points.push_back(objective.unitOf(start));
+  const auto even_points = evenPoints(objective.dimensions(), coarseCount(objective.dimensions()));
+  points.insert(points.end(), even_points.begin(), even_points.end());
   std::vector<Point> looked_at;
   for (const auto& point : points) looked_at.push_back({point, objective(point)});
   if (objective.dimensions() == 1) {

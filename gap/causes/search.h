@@ -44,7 +44,8 @@ struct Point {
 [[nodiscard]] std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned count);
 
 /// The best place of a search over the whole cube and at the starts given (in the hypothesis's units); on a line, dips
-/// included that are narrower than the steps. There is one dimension at least.
+/// included that are narrower than the steps. Of several numbers that come equally near the first start is kept. There
+/// is one dimension at least.
 [[nodiscard]] Point coarseSearch(const Objective& objective, const std::vector<std::vector<double>>& starts);
 
 /// How far a search goes from its start, in the unit cube, and how long.

@@ -126,6 +126,9 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
   }
   if (starts.has("from_m") && starts.has("to_m")) {
     constexpr double kFar_m = 1e9, kBit_m = 0.01;
+    const double half_step_m = replay.resolution(kRange) / 2.0;
+    if (where.gate.nearest_m) starts.add({{"from_m", *where.gate.nearest_m - half_step_m}, {"to_m", kFar_m}});
+    if (where.gate.farthest_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.farthest_m + half_step_m}});
     for (const Stratum& r : ranges) {
       starts.add({{"from_m", r.high + kBit_m}, {"to_m", kFar_m}});
       starts.add({{"from_m", 0.0}, {"to_m", r.low - kBit_m}});

@@ -10,6 +10,10 @@ namespace gap {
 struct Gate {
   std::optional<double> opens_m;   ///< nearer, more echoes are lost than are there; nothing if it is so nowhere
   std::optional<double> closes_m;  ///< the same beyond
+  /// The nearest echo of all, where several are expected nearer: a gate within the noise of a wall takes a part of its
+  /// echoes. That is the likeliest end of what was cut off, whatever was.
+  std::optional<double> nearest_m;
+  std::optional<double> farthest_m;  ///< the same beyond
 };
 
 /// From the residuals of existence, where a surface is expected: the range that parts best what is lost from

@@ -11,6 +11,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kQuantileGroups = 16;
+constexpr std::size_t kFewGroups = 2;    // a run of so few is cut once more
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
 
 using Row = ResidualTable::Row;
@@ -125,6 +126,36 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
   return best;
 }
 
+/// A stratum with its ends.
+struct Stratum {
+  Group joint;
+  double low = 0.0, high = 0.0;
+  double lift = 0.0;
+  std::size_t tried = 0;
+};
+
+Stratum stratumOf(const std::vector<Group>& groups, const Best& best) {
+  return {best.joint, groups[best.first].low, groups[best.last].high, best.lift, best.tried};
+}
+
+/// What a run of a few groups holds may lie in a part of them, as a false target in two beams does: the run is cut once
+/// more, as all data were.
+Stratum narrowed(Stratum stratum, const std::vector<Row>& rows, const Covariate& covariate, const GapOfRows& gaps,
+                 double all_weight, double sign) {
+  std::vector<Row> inside;
+  for (const Row& row : rows) {
+    const double x = covariate.number(row);
+    if (x >= stratum.low && x <= stratum.high) inside.push_back(row);
+  }
+  const std::vector<Group> groups = numericGroups(inside, covariate, gaps);
+  if (groups.size() < 2) return stratum;
+  const Best best = bestRun(groups, gaps.all(), all_weight, false, sign);
+  const std::size_t tried = stratum.tried + best.tried;
+  if (best.lift > stratum.lift) stratum = stratumOf(groups, best);
+  stratum.tried = tried;
+  return stratum;
+}
+
 /// Covariates that a person thinks in first; they win where two tell the same story.
 double readability(const std::string& covariate) {
   if (covariate == "time_s" || covariate == "setup" || covariate == "epw_m" || covariate == "intensity") return 0.85;
@@ -151,25 +182,28 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
       if (groups.size() < 2) continue;
       const Best best = bestRun(groups, all_gap, all_weight, !covariate.numeric, table.sign());
       if (best.lift <= 0.0) continue;
+      Stratum stratum = stratumOf(groups, best);
+      if (covariate.numeric && best.last - best.first < kFewGroups)
+        stratum = narrowed(stratum, table.rows, covariate, gaps, all_weight, table.sign());
       WhereRow row;
       row.measurand = table.measurand;
       row.component = table.component;
       row.covariate = covariate.name;
       row.numeric = covariate.numeric;
-      row.low = groups[best.first].low;
-      row.high = groups[best.last].high;
+      row.low = stratum.low;
+      row.high = stratum.high;
       if (!covariate.numeric) {
         for (std::size_t g = best.first; g <= best.last; ++g) row.names.push_back(groups[g].name);
         std::sort(row.names.begin(), row.names.end());
       }
-      row.value = best.joint.value / best.joint.weight;
+      row.value = stratum.joint.value / stratum.joint.weight;
       row.unit = table.unit;
-      row.share = std::min(1.0, best.joint.gap / all_gap);
-      row.size = best.joint.weight / all_weight;
-      const double z = std::abs(best.joint.value) / std::sqrt(std::max(1e-300, best.joint.variance));
+      row.share = std::min(1.0, stratum.joint.gap / all_gap);
+      row.size = stratum.joint.weight / all_weight;
+      const double z = std::abs(stratum.joint.value) / std::sqrt(std::max(1e-300, stratum.joint.variance));
       row.p_value =
-          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(best.tried * covariates.size() * tables.size()));
-      row.score = best.lift * readability(covariate.name);
+          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(stratum.tried * covariates.size() * tables.size()));
+      row.score = stratum.lift * readability(covariate.name);
       result.push_back(std::move(row));
     }
   }

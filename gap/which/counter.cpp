@@ -62,7 +62,7 @@ bool earnsBesideTheCounter(const Judge& exact, const std::vector<Candidate>& sin
   std::vector<Candidate> members = membersOf(pair);
   Candidate& counter = *counterIn(members);
   exact.hear(counter);
-  if (leads(counter, singles)) return provesItsSecond(exact, singles.front(), pair, singles.size());
+  if (leads(counter, singles)) return SecondProofs(exact, singles.front(), singles.size()).of(pair);
   const auto more = static_cast<double>(pair.values.size() - counter.values.size());
   return counter.discrepancy - pair.discrepancy >= Judge::kNatsPerNumber * more;
 }

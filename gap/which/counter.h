@@ -20,7 +20,7 @@ class HeldOutGaps;
                                                       const WhereResult& where, const std::vector<Candidate>& singles,
                                                       core::Progress& progress);
 /// Whether the other member of such a pair brings what its numbers cost, or, where the counter is the best of all
-/// causes, proves itself (provesItsSecond); otherwise the counter is all.
+/// causes, proves itself (SecondProofs); otherwise the counter is all.
 [[nodiscard]] bool earnsBesideTheCounter(const Judge& exact, const std::vector<Candidate>& singles,
                                          const Candidate& pair);
 /// The counter comes first.

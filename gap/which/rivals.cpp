@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gap/which/significance.h"
+#include "model/effects/effect.h"
 
 namespace gap {
 
@@ -17,10 +18,16 @@ constexpr double kTie = 0.03;        // of what there is to explain: causes this
 constexpr std::size_t kRivals = 5;
 constexpr std::size_t kPairsLookedAt = 3;  // beside the best: the others were not fitted as well
 
-/// What a cause takes to say what it says: free numbers that are not where it is absent (an effect may have several
-/// mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a second), and
-/// the choice of a form other than its usual one, of a pair for each member.
-double choicesIn(const Candidate& candidate) {
+/// In how many forms this cause may be at work.
+std::size_t formsOf(const Hypothesis& hypothesis) {
+  const model::EffectEntry* effect = model::findEffect(hypothesis.name);
+  return effect ? 1 + effect->info.other_forms.size() : 2;
+}
+
+/// What a cause takes to say what it says, in nats: free numbers that are not where it is absent (an effect may have
+/// several mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a
+/// second), and the choice of a form other than its usual one among all of them, of a pair for each member.
+double priceOf(const Candidate& candidate) {
   constexpr double kNothing = 0.01;  // of the range
   double numbers = 0.0;
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
@@ -28,16 +35,17 @@ double choicesIn(const Candidate& candidate) {
     numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
   }
   const double least = candidate.values.empty() ? 0.0 : 1.0;
-  const std::vector<Candidate> members = membersOf(candidate);
-  const auto forms =
-      std::count_if(members.begin(), members.end(), [](const Candidate& c) { return !c.hypothesis.variant.empty(); });
-  return std::max(least, numbers) + static_cast<double>(forms);
+  double price = Judge::kNatsPerNumber * std::max(least, numbers);
+  for (const Candidate& member : membersOf(candidate)) {
+    if (!member.hypothesis.variant.empty()) price += std::log(static_cast<double>(formsOf(member.hypothesis)));
+  }
+  return price;
 }
 
 /// What it costs one cause to say more than another, as a square of standard deviations: twice the logarithm of a
 /// likelihood ratio is the square of its z.
 double costOf(const Candidate& candidate, const Candidate& beside) {
-  return 2.0 * Judge::kNatsPerNumber * std::max(0.0, choicesIn(candidate) - choicesIn(beside));
+  return 2.0 * std::max(0.0, priceOf(candidate) - priceOf(beside));
 }
 
 /// How well a candidate is told from the best one, with what it takes more to say it.
@@ -144,7 +152,7 @@ void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate
   for (std::size_t i = 1; i < pairs.size() && i <= kRivals; ++i) {
     const Candidate &best = pairs.front(), &other = pairs[i];
     if (other.merit < best.merit - kFarBehind) break;
-    if (effectsIn(other) <= effectsIn(best) || choicesIn(other) > choicesIn(best)) continue;
+    if (effectsIn(other) <= effectsIn(best) || priceOf(other) > priceOf(best)) continue;
     if (separationOnAll(quick, exact, best, other, kTie) < kApart) std::swap(pairs.front(), pairs[i]);
   }
 }

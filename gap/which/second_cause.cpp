@@ -112,15 +112,16 @@ Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candid
   return members.front();
 }
 
-bool provesItsSecond(const Judge& exact, const Candidate& single, const Candidate& pair, std::size_t causes) {
-  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(single.values.size());
-  if (single.discrepancy - pair.discrepancy < Judge::kNatsPerNumber * std::max(1.0, more)) return false;
-  if (pair.total_left > single.total_left + kMaterialRest) return false;
-  const World first = worldOf(exact.replay, single.hypothesis, single.values);
-  const World both = worldOf(exact.replay, pair.hypothesis, pair.values);
-  const Significance second = significanceOf(exact, pair, nullRunsOf(exact, first));
-  const double whole_way = gainWereItRight(exact, first, both) - second.by_chance;
-  return provesItself(second, causes) && second.gain - second.by_chance >= kOfTheWay * whole_way;
+bool SecondProofs::of(const Candidate& pair) {
+  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(single_.values.size());
+  if (single_.discrepancy - pair.discrepancy < Judge::kNatsPerNumber * std::max(1.0, more)) return false;
+  if (pair.total_left > single_.total_left + kMaterialRest) return false;
+  const World first = worldOf(exact_.replay, single_.hypothesis, single_.values);
+  const World both = worldOf(exact_.replay, pair.hypothesis, pair.values);
+  if (!nulls_) nulls_.emplace(nullRunsOf(exact_, first));
+  const Significance second = significanceOf(exact_, pair, *nulls_);
+  const double whole_way = gainWereItRight(exact_, first, both) - second.by_chance;
+  return provesItself(second, causes_) && second.gain - second.by_chance >= kOfTheWay * whole_way;
 }
 
 bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "gap/which/candidates.h"
+#include "gap/which/significance.h"
 
 namespace gap {
 
@@ -25,10 +29,22 @@ inline constexpr double kMostRestOfPair = 0.5;
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair);
 
-/// Whether a pair gains over a single cause what chance gives none of so many causes, as much of it as a second cause
-/// that is there would bring, and leaves nothing. This sees a second cause that is in no rest: the noise of the first
-/// one (speckle, lost shots) hides it, and cancels where both worlds are simulated with the same random numbers.
-[[nodiscard]] bool provesItsSecond(const Judge& exact, const Candidate& single, const Candidate& pair,
-                                   std::size_t causes);
+/// Second causes beside a single one that prove themselves, one of so many causes: each gains what chance gives none of
+/// them, as much of it as a cause that is there would bring, and leaves nothing. This sees what is in no rest: the
+/// noise of the first cause (speckle, lost shots) hides it, and cancels where both worlds are simulated with the same
+/// random numbers. What chance gives is drawn once, when it is first needed.
+class SecondProofs {
+ public:
+  SecondProofs(const Judge& exact, Candidate single, std::size_t causes)
+      : exact_(exact), single_(std::move(single)), causes_(causes) {}
+
+  [[nodiscard]] bool of(const Candidate& pair);
+
+ private:
+  const Judge& exact_;
+  Candidate single_;
+  std::size_t causes_;
+  std::optional<NullRuns> nulls_;
+};
 
 }  // namespace gap

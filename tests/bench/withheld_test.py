@@ -261,6 +261,13 @@ class Rules(unittest.TestCase):
         self.assertEqual((rows["right cause first, s >= 2"]["value"], rows["right cause first, s >= 2"]["n"]), (0.0, 1))
         self.assertEqual(rows["without a verdict (crash, time-out)"]["value"], 1.0)
 
+    def test_a_beam_in_a_narrow_sector_is_its_stratum_if_it_holds_half_of_the_gap(self):
+        row = {"stratum": [0.5, 0.5], "share": 0.9}
+        self.assertTrue(score.is_stratum(row, [0.4, 0.6]))
+        self.assertFalse(score.is_stratum({**row, "share": 0.3}, [0.4, 0.6]))
+        self.assertFalse(score.is_stratum(row, [0.6, 0.8]))
+        self.assertFalse(score.is_stratum({"stratum": [0.5, 1.7], "share": 1.0}, [0.4, 0.6]))
+
     def test_strata_overlap(self):
         self.assertAlmostEqual(score.overlap([0, 2], [1, 3]), 1 / 3)
         self.assertEqual(score.overlap(["wall"], ["wall"]), 1.0)

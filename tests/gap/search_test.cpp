@@ -142,6 +142,21 @@ TEST_F(Search, FindsAWeakCauseWhereStrongerOnesAreWorseThanNone) {
   EXPECT_GT(found.gain, 0.0);
 }
 
+// A gate takes a third of the echoes of one wall, which stands in none of the samples looked at.
+TEST_F(Search, KeepsWhatTheMapSuggestsWhereTheSamplesLookedAtShowNothing) {
+  measure({{"range-gating", {{"from_m", 7.995}}}});
+  const gap::Hypothesis gate = effect("range-gating");
+  gap::Evidence far = split_.fitted;
+  std::erase_if(far.samples, [&](std::size_t s) { return replay_->samples()[s].sample->id == "r8"; });
+  ASSERT_FALSE(far.samples.empty());
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  const gap::Scouted found =
+      gap::scout(*replay_, gate, far, gap::startsFrom(*replay_, gate, where), core::SilentProgress());
+  ASSERT_EQ(gate.parameters[0].name, "from_m");
+  EXPECT_NEAR(found.values[0], 8.0, 0.02);
+  EXPECT_EQ(found.gain, 0.0);
+}
+
 // Beams are 1° apart.
 TEST_F(Search, SeesToABeamWhereASectorEnds) {
   measure({{"cover-contamination", {{"attenuation", 0.05}, {"azimuth_from_deg", -8.4}, {"azimuth_to_deg", 4.4}}}});

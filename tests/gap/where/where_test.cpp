@@ -1,8 +1,7 @@
 #include "gap/where/where.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 #include "gap/report/wording.h"
 #include "tests/gap/small_world.h"
@@ -127,26 +126,17 @@ TEST(Where, MissingEchoesAreNeverExtra) {
   }
 }
 
-// The wall of r36 spans 36 to 38.3 m: no sixteenth of the data ends where the gate does.
-TEST(Where, SaysWhereAGateOfTheReceiverCloses) {
-  const test_support::SmallWorld world;
-  const auto model = test_support::SmallWorld::modelWith({});
-  const auto gated = test_support::SmallWorld::modelWith({{"range-gating", {{"from_m", 0.0}, {"to_m", 37.0}}}});
-  const auto measured = world.measuredBy(gated, 0.4);
-  const gap::Replay replay(measured, model);
-  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
-  ASSERT_TRUE(gate.closes_m);
-  EXPECT_NEAR(*gate.closes_m, 37.0, 0.1);  // two beams lie as far apart
-  EXPECT_FALSE(gate.opens_m);
-}
-
-TEST(Where, SeesNoGateWhereNothingIsMissing) {
-  const test_support::SmallWorld world;
-  const auto model = test_support::SmallWorld::modelWith({});
-  const auto measured = world.measuredBy(model, 0.4);
-  const gap::Replay replay(measured, model);
-  const gap::Gate gate = gap::whereIn(replay, replay.baseline(), 1).gate;
-  EXPECT_FALSE(gate.closes_m || gate.opens_m);
+// Beams are 1° apart from -20° to 20°, so a sixteenth of the data spans two or three of them.
+TEST(Where, AStratumOfFewBeamsEndsWhereItsGapDoes) {
+  const auto rows =
+      rowsOnceNamed({{"spoofing", {{"azimuth_deg", 5.0}, {"width_deg", 1.0}, {"range_m", 4.0}}}}, 0.4).before;
+  const auto sector = std::find_if(rows.begin(), rows.end(), [](const gap::WhereRow& row) {
+    return row.component == "extra" && row.covariate == "azimuth_deg";
+  });
+  ASSERT_NE(sector, rows.end());
+  EXPECT_NEAR(sector->low, 5.0, 1e-6);
+  EXPECT_NEAR(sector->high, 5.0, 1e-6);
+  EXPECT_NEAR(sector->share, 1.0, 1e-9);
 }
 
 TEST(Wording, StratumSentenceSaysWhatIsLargerAndWhere) {

@@ -94,7 +94,7 @@ class BesideSpeckle : public testing::Test {
     for (gap::Candidate* heard : {&single, &pair}) judge.hear(*heard);
     single.total_left = pair.total_left = 0.0;
     EXPECT_FALSE(gap::roomForASecond(judge, single));
-    return gap::provesItsSecond(judge, single, pair, hypotheses.size());
+    return gap::SecondProofs(judge, single, hypotheses.size()).of(pair);
   }
 
   SmallWorld world_;
