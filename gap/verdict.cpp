@@ -15,6 +15,8 @@ constexpr double kLeastNamed = 0.5;     // of a cause that is named because noth
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.8;    // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kDoubtedNone = 0.4;   // the same where noise makes so large a gap in less than
+constexpr double kDoubtful = 0.01;     // of all cases: a right model hardly ever does, a weak cause often
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
 
 Cause toCause(const Candidate& candidate) {
@@ -142,7 +144,8 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     if (!decision.pair() && verdict.indistinguishable_from.size() == 1)
       verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
   } else if (verdict.kind == VerdictKind::kNone) {
-    verdict.confidence = kNoneBelief;
+    const double p_value = judge.yardstick.p_value();
+    verdict.confidence = p_value < kDoubtful && p_value >= kSignificance ? kDoubtedNone : kNoneBelief;
   } else {
     verdict.confidence = kUnknownBelief;
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;

@@ -11,7 +11,7 @@ struct Gate {
   std::optional<double> opens_m;   ///< nearer, more echoes are lost than are there; nothing if it is so nowhere
   std::optional<double> closes_m;  ///< the same beyond
   /// The nearest echo of all, where several are expected nearer: a gate within the noise of a wall takes a part of its
-  /// echoes. That is the likeliest end of what was cut off, whatever was.
+  /// echoes. It is the likeliest end of what was cut off.
   std::optional<double> nearest_m;
   std::optional<double> farthest_m;  ///< the same beyond
 };
