@@ -129,21 +129,27 @@ bool walks(const Replay& replay, const std::vector<std::string>& fitted) {
   });
 }
 
+/// Whether the scene of any sample is such.
+template <typename Condition>
+bool inAnyScene(const Replay& replay, Condition holds) {
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return holds(model::situationOf(replay.experiment(), *sample.sample).scene);
+  });
+}
+
 /// Whether anything in the scenes moves, or the sensor itself may.
 bool moves(const Replay& replay) {
-  if (replay.baseline().model.has("motion-scan")) return true;
   const auto driven = [](const model::SceneObject& object) { return object.velocity_m_s != model::Vector3{}; };
-  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
-    const model::Scene scene = model::situationOf(replay.experiment(), *sample.sample).scene;
-    return std::any_of(scene.objects.begin(), scene.objects.end(), driven);
-  });
+  return replay.baseline().model.has("motion-scan") || inAnyScene(replay, [&](const model::Scene& scene) {
+           return std::any_of(scene.objects.begin(), scene.objects.end(), driven);
+         });
 }
 
 /// Whether any material lets light through.
 bool hasPanes(const Replay& replay, const model::Effect& effect) {
-  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
-    const auto materials = model::situationOf(replay.experiment(), *sample.sample).scene.materials;
-    return std::any_of(materials.begin(), materials.end(), [&](const auto& m) { return effect.letsThrough(m); });
+  return inAnyScene(replay, [&](const model::Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const model::Material& material) { return effect.letsThrough(material); });
   });
 }
 

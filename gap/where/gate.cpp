@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "gap/replay/statistics.h"
 
 namespace gap {
 
@@ -43,10 +44,8 @@ std::optional<double> endOfLoss(Iterator begin, Iterator end) {
   return range_m;
 }
 
-double standardNormalBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
 /// Of a range of one cell about its mean: the variance of a few frames of one cell would have tails.
-double pooledVariance(const std::vector<CellStatistics>& cells) {
+double varianceWithin(const std::vector<CellStatistics>& cells) {
   double squares = 0.0, degrees = 0.0;
   for (const CellStatistics& cell : cells) {
     if (cell.count < 2.0) continue;
@@ -56,44 +55,55 @@ double pooledVariance(const std::vector<CellStatistics>& cells) {
   return degrees > 0.0 ? squares / degrees : 0.0;
 }
 
-/// How many echoes of surfaces the baseline makes that are nearer than a range (sign 1) or farther (-1), in as many
-/// frames as were measured.
-double expectedBeyond(const Replay& replay, double range_m, double sign) {
+/// Echoes, or numbers of them, to both sides.
+struct Ends {
+  double nearest = 0.0;
+  double farthest = 0.0;
+};
+
+/// The outermost measured ranges; nothing if nothing was measured.
+std::optional<Ends> outermostIn(const Replay& replay) {
+  std::optional<Ends> ends;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (const double range_m : sample.measured.range_m)
+      ends = ends ? Ends{std::min(ends->nearest, range_m), std::max(ends->farthest, range_m)} : Ends{range_m, range_m};
+  }
+  return ends;
+}
+
+/// How many echoes of surfaces the baseline makes beyond these ranges, in as many frames as were measured.
+Ends expectedBeyond(const Replay& replay, const Ends& ends_m) {
   constexpr int kFrames = 16;  // enough for a mean
   const double of_step = replay.resolution(kRange) * replay.resolution(kRange) / 12.0;
-  double sum = 0.0;
+  Ends sum;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     std::vector<CellStatistics> cells = replay.simulate(replay.baseline(), s, kFrames, replay.seed());
     cells.resize(sample.layout->surfaces());
-    const double stddev = std::sqrt(std::max(of_step, pooledVariance(cells)));
+    const double stddev = std::sqrt(std::max(of_step, varianceWithin(cells)));
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (cells[c].count == 0.0) continue;
       const double mean_m = sample.layout->cells()[c].anchor_m + cells[c].mean(kRange);
-      sum += cells[c].count / kFrames * sample.frames * standardNormalBelow(sign * (range_m - mean_m) / stddev);
+      const double echoes = cells[c].count / kFrames * sample.frames;
+      sum.nearest += echoes * upperTail((mean_m - ends_m.nearest) / stddev);
+      sum.farthest += echoes * upperTail((ends_m.farthest - mean_m) / stddev);
     }
   }
   return sum;
 }
 
-/// The outermost measured range (nearest: sign 1, farthest: -1), if several echoes are expected beyond it.
-std::optional<double> outermost(const Replay& replay, double sign) {
-  constexpr double kSeveral = 5.0;  // by chance none of them in 1 of 150
-  std::optional<double> range_m;
-  for (const ReplaySample& sample : replay.samples()) {
-    for (const double measured_m : sample.measured.range_m)
-      if (!range_m || sign * measured_m < sign * *range_m) range_m = measured_m;
-  }
-  const bool cut = range_m && expectedBeyond(replay, *range_m, sign) > kSeveral;
-  return cut ? range_m : std::nullopt;
-}
-
 }  // namespace
 
 Gate gateIn(const Replay& replay, const ResidualTable& missing) {
+  constexpr double kSeveral = 5.0;  // by chance none of them in 1 of 150
   const std::vector<Expected> expected = expectedIn(replay, missing);
-  return {endOfLoss(expected.begin(), expected.end()), endOfLoss(expected.rbegin(), expected.rend()),
-          outermost(replay, 1.0), outermost(replay, -1.0)};
+  Gate gate{endOfLoss(expected.begin(), expected.end()), endOfLoss(expected.rbegin(), expected.rend()), {}, {}};
+  if (const std::optional<Ends> ends_m = outermostIn(replay)) {
+    const Ends beyond = expectedBeyond(replay, *ends_m);
+    if (beyond.nearest > kSeveral) gate.nearest_m = ends_m->nearest;
+    if (beyond.farthest > kSeveral) gate.farthest_m = ends_m->farthest;
+  }
+  return gate;
 }
 
 }  // namespace gap

@@ -111,9 +111,11 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
   Best best;
   for (std::size_t first = 0; first < (prefixes_only ? 1 : groups.size()); ++first) {
     Group joint;
+    joint.low = groups[first].low;
     for (std::size_t last = first; last < groups.size(); ++last) {
       if (prefixes_only && groups[last].value * groups[first].value < 0.0) break;
       joint.add(groups[last]);
+      joint.high = groups[last].high;
       if (last - first + 1 == groups.size()) break;  // everything is no stratum
       ++best.tried;
       const double lift = joint.gap / all_gap - joint.weight / all_weight;
@@ -126,34 +128,22 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
   return best;
 }
 
-/// A stratum with its ends.
-struct Stratum {
-  Group joint;
-  double low = 0.0, high = 0.0;
-  double lift = 0.0;
-  std::size_t tried = 0;
-};
-
-Stratum stratumOf(const std::vector<Group>& groups, const Best& best) {
-  return {best.joint, groups[best.first].low, groups[best.last].high, best.lift, best.tried};
-}
-
 /// What a run of a few groups holds may lie in a part of them, as a false target in two beams does: the run is cut once
 /// more, as all data were.
-Stratum narrowed(Stratum stratum, const std::vector<Row>& rows, const Covariate& covariate, const GapOfRows& gaps,
-                 double all_weight, double sign) {
+Best narrowed(Best best, const std::vector<Row>& rows, const Covariate& covariate, const GapOfRows& gaps,
+              double all_weight, double sign) {
   std::vector<Row> inside;
   for (const Row& row : rows) {
     const double x = covariate.number(row);
-    if (x >= stratum.low && x <= stratum.high) inside.push_back(row);
+    if (x >= best.joint.low && x <= best.joint.high) inside.push_back(row);
   }
   const std::vector<Group> groups = numericGroups(inside, covariate, gaps);
-  if (groups.size() < 2) return stratum;
-  const Best best = bestRun(groups, gaps.all(), all_weight, false, sign);
-  const std::size_t tried = stratum.tried + best.tried;
-  if (best.lift > stratum.lift) stratum = stratumOf(groups, best);
-  stratum.tried = tried;
-  return stratum;
+  if (groups.size() < 2) return best;
+  Best part = bestRun(groups, gaps.all(), all_weight, false, sign);
+  const std::size_t tried = best.tried + part.tried;
+  if (part.lift > best.lift) best = std::move(part);
+  best.tried = tried;
+  return best;
 }
 
 /// Covariates that a person thinks in first; they win where two tell the same story.
@@ -180,30 +170,29 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
       const auto groups =
           covariate.numeric ? numericGroups(table.rows, covariate, gaps) : namedGroups(table.rows, covariate, gaps);
       if (groups.size() < 2) continue;
-      const Best best = bestRun(groups, all_gap, all_weight, !covariate.numeric, table.sign());
+      Best best = bestRun(groups, all_gap, all_weight, !covariate.numeric, table.sign());
       if (best.lift <= 0.0) continue;
-      Stratum stratum = stratumOf(groups, best);
       if (covariate.numeric && best.last - best.first < kFewGroups)
-        stratum = narrowed(stratum, table.rows, covariate, gaps, all_weight, table.sign());
+        best = narrowed(std::move(best), table.rows, covariate, gaps, all_weight, table.sign());
       WhereRow row;
       row.measurand = table.measurand;
       row.component = table.component;
       row.covariate = covariate.name;
       row.numeric = covariate.numeric;
-      row.low = stratum.low;
-      row.high = stratum.high;
+      row.low = best.joint.low;
+      row.high = best.joint.high;
       if (!covariate.numeric) {
         for (std::size_t g = best.first; g <= best.last; ++g) row.names.push_back(groups[g].name);
         std::sort(row.names.begin(), row.names.end());
       }
-      row.value = stratum.joint.value / stratum.joint.weight;
+      row.value = best.joint.value / best.joint.weight;
       row.unit = table.unit;
-      row.share = std::min(1.0, stratum.joint.gap / all_gap);
-      row.size = stratum.joint.weight / all_weight;
-      const double z = std::abs(stratum.joint.value) / std::sqrt(std::max(1e-300, stratum.joint.variance));
+      row.share = std::min(1.0, best.joint.gap / all_gap);
+      row.size = best.joint.weight / all_weight;
+      const double z = std::abs(best.joint.value) / std::sqrt(std::max(1e-300, best.joint.variance));
       row.p_value =
-          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(stratum.tried * covariates.size() * tables.size()));
-      row.score = stratum.lift * readability(covariate.name);
+          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(best.tried * covariates.size() * tables.size()));
+      row.score = best.lift * readability(covariate.name);
       result.push_back(std::move(row));
     }
   }
