@@ -49,16 +49,17 @@ HWY_INLINE hn::Vec<Numbers> uniform(WordVector word) {
   return hn::MulAdd(half, hn::Set(d, 0x1.0p-31F), hn::Set(d, 0x1.0p-33F));
 }
 
-void normals(std::uint32_t key0, std::uint32_t key1, const Random::Key& key, const std::uint32_t* beams,
-             std::size_t count, std::uint32_t block, float* const* columns) {
+/// Box–Muller on block `block` of `count` streams; `frames` and `beams` name those from the i-th on, of which n count.
+template <class Frames, class Beams>
+HWY_INLINE void normals(const PhiloxKey& words_of_key, std::uint32_t purpose, std::uint32_t block, std::size_t count,
+                        const Frames& frames, const Beams& beams, float* const* columns) {
   const Words d;
   const Numbers numbers;
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t i = 0; i < count; i += lanes) {
     const std::size_t n = count - i < lanes ? count - i : lanes;
-    const WordVector beam = n == lanes ? hn::LoadU(d, beams + i) : hn::MaskedLoad(hn::FirstN(d, n), d, beams + i);
-    std::array<WordVector, 4> words = {hn::Set(d, block), hn::Set(d, key.frame), beam, hn::Set(d, key.purpose)};
-    philox(words, key0, key1);
+    std::array<WordVector, 4> words = {hn::Set(d, block), frames(i, n), beams(i, n), hn::Set(d, purpose)};
+    philox(words, words_of_key[0], words_of_key[1]);
     for (std::size_t pair = 0; pair < 2; ++pair) {
       const auto radius = hn::Sqrt(hn::Mul(hn::Set(numbers, -2.0F), hn::Log(numbers, uniform(words[2 * pair]))));
       const auto angle = hn::Mul(hn::Set(numbers, 6.2831853071795864769F), uniform(words[2 * pair + 1]));
@@ -73,6 +74,25 @@ void normals(std::uint32_t key0, std::uint32_t key1, const Random::Key& key, con
       }
     }
   }
+}
+
+void normalsOfBeams(const PhiloxKey& words, const Random::Key& key, const std::uint32_t* beams, std::size_t count,
+                    std::uint32_t block, float* const* columns) {
+  const Words d;
+  const auto frames = [&](std::size_t, std::size_t) HWY_ATTR { return hn::Set(d, key.frame); };
+  const auto named = [&](std::size_t i, std::size_t n) HWY_ATTR {
+    return n == hn::Lanes(d) ? hn::LoadU(d, beams + i) : hn::MaskedLoad(hn::FirstN(d, n), d, beams + i);
+  };
+  normals(words, key.purpose, block, count, frames, named, columns);
+}
+
+void normalsOfFrames(const PhiloxKey& words, const Random::Key& key, std::size_t count, std::uint32_t block,
+                     float* const* columns) {
+  const Words d;
+  const auto frames = [&](std::size_t i, std::size_t)
+                          HWY_ATTR { return hn::Iota(d, key.frame + static_cast<std::uint32_t>(i)); };
+  const auto beams = [&](std::size_t, std::size_t) HWY_ATTR { return hn::Set(d, key.beam); };
+  normals(words, key.purpose, block, count, frames, beams, columns);
 }
 
 using Doubles = hn::ScalableTag<double>;
@@ -104,7 +124,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace core {
 
-HWY_EXPORT(normals);
+HWY_EXPORT(normalsOfBeams);
+HWY_EXPORT(normalsOfFrames);
 HWY_EXPORT(log2Column);
 HWY_EXPORT(expColumn);
 
@@ -116,11 +137,23 @@ void expOf(std::span<const double> in, std::span<double> out) {
   HWY_DYNAMIC_DISPATCH(expColumn)(in.data(), out.data(), in.size());
 }
 
+namespace {
+
+std::array<float*, 4> startsOf(const NormalColumns& columns) {
+  return {columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()};
+}
+
+}  // namespace
+
 void normalsOf(const Random::Key& key, std::span<const std::uint32_t> beams, std::uint32_t block,
-               const std::array<std::span<float>, 4>& columns) {
-  const std::array<float*, 4> out = {columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()};
-  const PhiloxKey words = philoxKeyOf(key);
-  HWY_DYNAMIC_DISPATCH(normals)(words[0], words[1], key, beams.data(), beams.size(), block, out.data());
+               const NormalColumns& columns) {
+  HWY_DYNAMIC_DISPATCH(normalsOfBeams)
+  (philoxKeyOf(key), key, beams.data(), beams.size(), block, startsOf(columns).data());
+}
+
+void normalsInFrames(const Random::Key& key, std::uint32_t block, const NormalColumns& columns) {
+  HWY_DYNAMIC_DISPATCH(normalsOfFrames)
+  (philoxKeyOf(key), key, columns[0].size(), block, startsOf(columns).data());
 }
 
 }  // namespace core

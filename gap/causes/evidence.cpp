@@ -25,11 +25,6 @@ std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, 
   return comparisons;
 }
 
-double total(const Replay& replay, const World& world, std::vector<Comparison>& comparisons, Part part) {
-  const double settling = settle(replay, world, comparisons, part);
-  return settling + discrepancy(replay, comparisons, part);
-}
-
 }  // namespace
 
 Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most_frames) {
@@ -49,29 +44,36 @@ World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vec
   return world;
 }
 
-double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
-  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
-  return total(replay, world, comparisons, evidence.part);
-}
-
-double discrepancyTo(const Replay& replay, const World& world, const Evidence& evidence,
-                     std::span<const std::vector<CellStatistics>> measured) {
-  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
-  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i];
-  return total(replay, world, comparisons, evidence.part);
-}
-
-double discrepancyIn(const Replay& replay, const World& truth, const World& world, const Evidence& evidence,
-                     std::uint64_t seed) {
-  std::vector<Comparison> measured;
+Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence, std::uint64_t seed) {
+  std::vector<Comparison> simulated;
   for (const std::size_t s : evidence.samples) {
     const int frames = replay.samples()[s].frames;
-    measured.push_back({s, {}, frames, replay.simulate(truth, s, frames, seed), frames});
+    simulated.push_back({s, {}, frames, replay.simulate(truth, s, frames, seed), frames});
   }
-  scatter(replay, truth, measured, seed);
-  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
-  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i].simulated;
-  return total(replay, world, comparisons, evidence.part);
+  scatter(replay, truth, simulated, seed);
+  Measured measured;
+  for (Comparison& sample : simulated) measured.push_back(std::move(sample.simulated));
+  return measured;
+}
+
+SimulatedWorld::SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence)
+    : replay_(replay), world_(world), part_(evidence.part), comparisons_(comparisonsOf(replay, world, evidence)) {}
+
+double SimulatedWorld::settled(std::vector<Comparison> comparisons) const {
+  const double settling = settle(replay_, world_, comparisons, part_);
+  return settling + gap::discrepancy(replay_, comparisons, part_);
+}
+
+double SimulatedWorld::discrepancy() const { return settled(comparisons_); }
+
+double SimulatedWorld::discrepancyTo(const Measured& measured) const {
+  std::vector<Comparison> comparisons = comparisons_;
+  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i];
+  return settled(std::move(comparisons));
+}
+
+double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
+  return SimulatedWorld(replay, world, evidence).discrepancy();
 }
 
 }  // namespace gap

@@ -21,17 +21,34 @@ struct Evidence {
 /// The same evidence on at most so many samples, spread over the list, and so many frames.
 [[nodiscard]] Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most_frames);
 
+/// What the sensors measured, or would measure, of some samples: one list of cells each.
+using Measured = std::vector<std::vector<CellStatistics>>;
+
+/// Of an evidence's samples if a world were the truth: under the noise of a seed, the reference somewhere within its
+/// tolerance.
+[[nodiscard]] Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence,
+                                  std::uint64_t seed);
+
+/// A world simulated once on some evidence, and how far it is from any measurement of these samples.
+class SimulatedWorld {
+ public:
+  SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence);
+  /// From what was measured.
+  [[nodiscard]] double discrepancy() const;
+  /// From another measurement of the evidence's samples.
+  [[nodiscard]] double discrepancyTo(const Measured& measured) const;
+
+ private:
+  [[nodiscard]] double settled(std::vector<Comparison> comparisons) const;
+
+  const Replay& replay_;
+  const World& world_;
+  Part part_;
+  std::vector<Comparison> comparisons_;
+};
+
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
-
-/// The same to other measurements of these samples, one each.
-[[nodiscard]] double discrepancyTo(const Replay& replay, const World& world, const Evidence& evidence,
-                                   std::span<const std::vector<CellStatistics>> measured);
-
-/// Discrepancy of a world if another one were the truth: to a measurement simulated in `truth` under the noise of
-/// another seed, the reference somewhere within its tolerance.
-[[nodiscard]] double discrepancyIn(const Replay& replay, const World& truth, const World& world,
-                                   const Evidence& evidence, std::uint64_t seed);
 
 /// The world in which a hypothesis holds with these values.
 [[nodiscard]] World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values);

@@ -136,9 +136,10 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
 
 void Judge::hear(Candidate& candidate) const {
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  candidate.discrepancy = discrepancyOf(replay, world, split.held_out);
-  candidate.explained = yardstick.explained(
-      candidate.discrepancy, discrepancyIn(replay, world, world, split.held_out, split.held_out.seed + 2000));
+  const SimulatedWorld simulated(replay, world, split.held_out);
+  const double self = simulated.discrepancyTo(measuredIn(replay, world, split.held_out, split.held_out.seed + 2000));
+  candidate.discrepancy = simulated.discrepancy();
+  candidate.explained = yardstick.explained(candidate.discrepancy, self);
   candidate.merit = meritOf(candidate);
 }
 
@@ -204,10 +205,11 @@ double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }
 Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   Yardstick yardstick;
   const World& world = replay.baseline();
-  yardstick.baseline = discrepancyOf(replay, world, held_out);
+  const SimulatedWorld simulated(replay, world, held_out);
+  yardstick.baseline = simulated.discrepancy();
   std::vector<double> runs(kNullRuns);
   core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
-    runs[begin] = discrepancyIn(replay, world, world, held_out, held_out.seed + 1000 + begin);
+    runs[begin] = simulated.discrepancyTo(measuredIn(replay, world, held_out, held_out.seed + 1000 + begin));
   });
   const Distribution perfect(runs);
   yardstick.perfect = perfect.mean;

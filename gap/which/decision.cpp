@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "core/parallel.h"
 #include "gap/which/closer_look.h"
 #include "gap/which/counter.h"
 #include "gap/which/cross_fit.h"
@@ -48,18 +49,21 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   for (const Candidate& pair : pairs) {
     for (Candidate& member : membersOf(pair)) members[formOf(member.hypothesis)].push_back(std::move(member));
   }
-  std::vector<Candidate> improved;
-  for (const Candidate& single : singles) {
-    const auto found = members.find(formOf(single.hypothesis));
-    if (found == members.end()) continue;
-    Candidate best = single;
+  std::vector<Candidate> bettered = singles;
+  core::parallelFor(singles.size(), 1, [&](std::size_t i, std::size_t) {
+    const auto found = members.find(formOf(singles[i].hypothesis));
+    if (found == members.end()) return;
+    Candidate& best = bettered[i];
     quick.hear(best);
     for (Candidate& member : found->second) {
+      core::stopIfCancelled(progress);
       quick.hear(member);
       if (better(member, best)) best = std::move(member);
     }
-    if (best.values != single.values) improved.push_back(std::move(best));
-  }
+  });
+  std::vector<Candidate> improved;
+  for (std::size_t i = 0; i < singles.size(); ++i)
+    if (bettered[i].values != singles[i].values) improved.push_back(std::move(bettered[i]));
   sortByMerit(improved);
   polish(exact, gaps, improved, where, progress);
   takeBetter(std::move(improved), singles);

@@ -143,7 +143,7 @@ bool isOfTheBaseline(const Replay& replay, Channel channel) {
 double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel) {
   const Replay& replay = judge.replay;
   const Evidence& held_out = judge.split.held_out;
-  std::vector<std::vector<CellStatistics>> corrected;
+  Measured corrected;
   for (const std::size_t s : held_out.samples) {
     const ReplaySample& sample = replay.samples()[s];
     core::Detections measured = sample.measured;
@@ -154,7 +154,7 @@ double discrepancyWithout(const Judge& judge, const Seen& seen, Channel channel)
     }
     corrected.push_back(sample.layout->statisticsOf(measured, sample.beam_of));
   }
-  return discrepancyTo(replay, replay.baseline(), held_out, corrected);
+  return SimulatedWorld(replay, replay.baseline(), held_out).discrepancyTo(corrected);
 }
 
 /// By how much a world differs from the baseline in the means of every channel: root mean square over the cells, in

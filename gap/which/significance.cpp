@@ -36,6 +36,12 @@ Distribution byChance(const NullRuns::Gains& gains, std::size_t left_out) {
   return Distribution(totals);
 }
 
+std::vector<SimulatedWorld> onParts(const Replay& replay, const World& world, const std::vector<Evidence>& parts) {
+  std::vector<SimulatedWorld> simulated;
+  for (const Evidence& part : parts) simulated.emplace_back(replay, world, part);
+  return simulated;
+}
+
 }  // namespace
 
 bool nothingElse(const Significance& significance, std::size_t causes) {
@@ -47,21 +53,25 @@ bool provesItself(const Significance& significance, std::size_t causes) {
 }
 
 NullRuns::NullRuns(const Replay& replay, World null, std::vector<Evidence> parts, std::size_t runs)
-    : replay_(&replay), null_(std::move(null)), parts_(std::move(parts)), without_(runs) {
+    : replay_(&replay), null_(std::move(null)), parts_(std::move(parts)), drawn_(runs), without_(runs) {
+  const std::vector<SimulatedWorld> simulated = onParts(replay, null_, parts_);
+  for (const SimulatedWorld& part : simulated) observed_.push_back(part.discrepancy());
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
-    for (const Evidence& part : parts_)
-      without_[run].push_back(discrepancyIn(replay, null_, null_, part, seedOf(part, run)));
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      drawn_[run].push_back(measuredIn(replay, null_, parts_[p], seedOf(parts_[p], run)));
+      without_[run].push_back(simulated[p].discrepancyTo(drawn_[run].back()));
+    }
   });
 }
 
 NullRuns::Gains NullRuns::gainsOf(const World& world) const {
   Gains gains{{}, without_};
+  const std::vector<SimulatedWorld> simulated = onParts(*replay_, world, parts_);
   core::parallelFor(runs(), 1, [&](std::size_t run, std::size_t) {
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      gains.by_chance[run][p] -= discrepancyIn(*replay_, null_, world, parts_[p], seedOf(parts_[p], run));
+      gains.by_chance[run][p] -= simulated[p].discrepancyTo(drawn_[run][p]);
   });
-  for (const Evidence& part : parts_)
-    gains.observed.push_back(discrepancyOf(*replay_, null_, part) - discrepancyOf(*replay_, world, part));
+  for (std::size_t p = 0; p < parts_.size(); ++p) gains.observed.push_back(observed_[p] - simulated[p].discrepancy());
   return gains;
 }
 
@@ -91,9 +101,10 @@ NullRuns nullRunsOf(const Judge& judge, const World& null) {
 
 Distribution ownNoiseOf(const Judge& judge, const World& world, std::size_t runs) {
   const Evidence& held_out = judge.split.held_out;
+  const SimulatedWorld simulated(judge.replay, world, held_out);
   std::vector<double> distances(runs);
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
-    distances[run] = discrepancyIn(judge.replay, world, world, held_out, seedOf(held_out, run));
+    distances[run] = simulated.discrepancyTo(measuredIn(judge.replay, world, held_out, seedOf(held_out, run)));
   });
   return Distribution(distances);
 }
@@ -149,14 +160,14 @@ struct Apart {
 };
 
 Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
+  const SimulatedWorld of_best(replay, best, evidence), of_rival(replay, rival, evidence);
   std::vector<double> differences(kRunsApart);
   core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
-    const std::uint64_t seed = seedOf(evidence, run);
-    differences[run] =
-        discrepancyIn(replay, best, rival, evidence, seed) - discrepancyIn(replay, best, best, evidence, seed);
+    const Measured measured = measuredIn(replay, best, evidence, seedOf(evidence, run));
+    differences[run] = of_rival.discrepancyTo(measured) - of_best.discrepancyTo(measured);
   });
   const Distribution were_it_right(differences);
-  return {discrepancyOf(replay, rival, evidence) - discrepancyOf(replay, best, evidence), were_it_right.mean,
+  return {of_rival.discrepancy() - of_best.discrepancy(), were_it_right.mean,
           were_it_right.stddev * were_it_right.stddev};
 }
 

@@ -32,8 +32,8 @@ struct Significance {
 [[nodiscard]] bool provesItself(const Significance& significance, std::size_t causes);
 
 /// Measurements drawn from a world in which a cause is not at work (the baseline, or a first cause's): what the cause
-/// gains on them, it gains by chance. They are the same for every cause, so the null is compared with each of them
-/// once.
+/// gains on them, it gains by chance. They are the same for every cause, so they are drawn once, and the null is
+/// compared with each of them once.
 class NullRuns {
  public:
   /// `parts`: evidence whose gains are wanted each by itself; not empty, all of one seed.
@@ -51,7 +51,9 @@ class NullRuns {
   const Replay* replay_;
   World null_;
   std::vector<Evidence> parts_;
+  std::vector<std::vector<Measured>> drawn_;  ///< in every run, of each part
   std::vector<std::vector<double>> without_;  ///< discrepancy of the null in every run, of each part
+  std::vector<double> observed_;              ///< discrepancy of the null from what was measured, of each part
 };
 
 /// Evidence of single samples.

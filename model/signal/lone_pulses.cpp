@@ -64,13 +64,6 @@ double edgeOf(const ChainSettings& settings) {
 
 double toStep(double value, double step) { return step > 0.0 ? std::floor(value / step + 0.5) * step : value; }
 
-ShotNoise noiseOf(const core::Random::Key& shot, std::uint32_t echo) {
-  std::array<float, 4> n{};
-  core::normalsOf(shot, std::span(&shot.beam, 1), echo,
-                  {std::span(&n[0], 1), std::span(&n[1], 1), std::span(&n[2], 1), std::span(&n[3], 1)});
-  return {n[0], n[1], n[2]};
-}
-
 std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const ChainSettings& settings, double gain,
                              const ShotNoise& noise) {
   double ratio = 0.0, log = 0.0;

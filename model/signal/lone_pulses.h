@@ -5,19 +5,9 @@
 #include <vector>
 
 #include "model/effects/effect.h"
+#include "model/signal/shot_noise.h"
 
 namespace model {
-
-/// The noise of one shot: of the received power, of the range and of the pulse width. Standard normal numbers, three a
-/// beam and echo.
-struct ShotNoise {
-  float power = 0.0F;
-  float range = 0.0F;
-  float epw = 0.0F;
-};
-
-/// Noise of the echo `echo` (or of that part of the waveform) of a shot.
-[[nodiscard]] ShotNoise noiseOf(const core::Random::Key& shot, std::uint32_t echo);
 
 /// Beams whose received signal is one pulse: most of them. Their echoes have a closed form (formats.md section 3), so
 /// many are worked out at once, column by column; the same numbers come out as from a waveform.

@@ -93,6 +93,7 @@ struct SignalChain::Scratch {
   Pulses pulses;
   std::vector<WaveformPart> parts;
   LonePulses lone;
+  BeamNoise noise;
   std::size_t first_beam = 0;  ///< of the tile
   std::vector<double> gain;
   std::vector<Pulse> of_shot;
@@ -182,7 +183,7 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   scratch.stretches.clear();
   scratch.echoes.clear();
   if (parts.size() == 1 && parts.front().lone() && settings_.emitter.pulse_shape.isGaussian()) {
-    const ShotNoise noise = noiseOf(key, 0);
+    const ShotNoise noise = scratch.noise.of(key.frame, 0);
     if (record) record->noise_w.push_back(receiver.noise_w * static_cast<double>(noise.power));
     if (const auto echo = loneEcho(*parts.front().lone(), receiver, settings_, gain, noise)) {
       scratch.echoes.push_back(*echo);
@@ -191,7 +192,7 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   }
   std::uint32_t number = 0;
   for (const WaveformPart& part : parts) {
-    const double drawn_w = receiver.noise_w * static_cast<double>(noiseOf(key, number++).power);
+    const double drawn_w = receiver.noise_w * static_cast<double>(scratch.noise.of(key.frame, number++).power);
     const double noise_w = std::min(drawn_w, kLargestNoise * receiver.threshold_w);
     if (record) record->noise_w.push_back(noise_w);
     scratch.of_part.clear();
@@ -241,7 +242,7 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
   };
   for (std::size_t e = 0; e < echoes.size(); ++e) {
     for (const Effect* effect : echo_effects_) effect->process(echoes[e], receiver, settings_);
-    blur(echoes[e], settings_, noiseOf(key, static_cast<std::uint32_t>(e)));
+    blur(echoes[e], settings_, scratch.noise.of(key.frame, static_cast<std::uint32_t>(e)));
   }
   for (const Drawing& drawing : reporting_effects_) {
     core::Random own(drawing.keyOf(key));
@@ -293,6 +294,7 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratc
     scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
     if (scratch.parts.empty() && reporting_effects_.empty()) return;
   }
+  scratch.noise.begin(keyOf(options, options.first_frame, beam.index), static_cast<std::size_t>(options.frames));
   for (int frame = options.first_frame; frame < options.first_frame + options.frames; ++frame) {
     fireShot(beam, receiver, keyOf(options, frame, beam.index), scratch, nullptr);
     std::int32_t number = 0;
@@ -423,7 +425,9 @@ ShotRecord SignalChain::record(const BeamHits& geometry, std::size_t beam, const
   Scratch scratch;
   scratch.of_shot = record.pulses;
   scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(record.receiver));
-  fireShot(loaded, record.receiver, keyOf(options, frame, loaded.index), scratch, &record);
+  const core::Random::Key key = keyOf(options, frame, loaded.index);
+  scratch.noise.begin(key, 1);
+  fireShot(loaded, record.receiver, key, scratch, &record);
   return record;
 }
 

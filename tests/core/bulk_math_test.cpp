@@ -42,6 +42,19 @@ TEST(BulkMath, AStreamDoesNotDependOnItsNeighbours) {
   }
 }
 
+TEST(BulkMath, FramesOfABeamAreDrawnAsOneByOne) {
+  const Random::Key first{.seed = 0x123456789ABCULL, .sample = 3, .frame = 7, .beam = 12};
+  Columns together(21);
+  normalsInFrames(first, 3, together.spans());
+  for (std::size_t i = 0; i < together.n[0].size(); ++i) {
+    Random::Key own = first;
+    own.frame += static_cast<std::uint32_t>(i);
+    Columns alone(1);
+    normalsOf(own, std::span(&own.beam, 1), 3, alone.spans());
+    for (std::size_t n = 0; n < 4; ++n) EXPECT_EQ(together.n[n][i], alone.n[n][0]) << i;
+  }
+}
+
 TEST(BulkMath, LogarithmAndExponentialAgreeWithTheLibrary) {
   std::vector<double> x, out;
   for (double value = 1e-12; value < 1e12; value *= 1.37) x.push_back(value);

@@ -62,15 +62,16 @@ TEST(LonePulses, ManyAtOnceAreEachAsIfAlone) {
   const core::Random::Key frame{.seed = 9, .frame = 3};
   lone.fire(settings, frame, std::vector<double>(lone.size(), 1.1));
   for (std::uint32_t i = 0; i < lone.size(); ++i) {
-    core::Random::Key shot = frame;
-    shot.beam = i;
-    const auto echo = loneEcho({10.0 + i, 0.5 * std::pow(1.6, i)}, settings.receiver, settings, 1.1, noiseOf(shot, 0));
+    BeamNoise of_beam;
+    of_beam.begin({.seed = 9, .frame = 1, .beam = i}, 4);
+    const ShotNoise noise = of_beam.of(frame.frame, 0);
+    const auto echo = loneEcho({10.0 + i, 0.5 * std::pow(1.6, i)}, settings.receiver, settings, 1.1, noise);
     ASSERT_EQ(echo.has_value(), lone.detected(i));
     if (!echo) continue;
     EXPECT_EQ(echo->range_m, lone.echo(i).range_m);
     EXPECT_EQ(echo->epw_m, lone.echo(i).epw_m);
     EXPECT_EQ(echo->peak_w, lone.echo(i).peak_w);
-    EXPECT_EQ(noiseOf(shot, 0).range, lone.noise(i).range);
+    EXPECT_EQ(noise.range, lone.noise(i).range);
   }
 }
 
