@@ -25,12 +25,17 @@ constexpr double kMostOfTheGap = 0.5;    // gone without what moves whole frames
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
-/// With which candidates are chosen, in half the time, and with which they are judged: more cost minutes and tell no
-/// more.
-constexpr Detail kQuick{.most_beams = 360, .edge_rays = 17};
+/// With which candidates are judged; more cost minutes and tell no more.
 constexpr Detail kExact{.most_beams = 6000, .edge_rays = 33};
 /// As the model traces when anybody runs it.
 constexpr Detail kAsRun{.most_beams = kExact.most_beams, .edge_rays = 0, .joined = false};
+
+/// With which candidates are chosen, in half the time: so many beams of a sample that, where there are many samples,
+/// all of them together tell as much.
+Detail quickDetail(std::size_t samples) {
+  constexpr std::size_t kMost = 360, kLeast = 180, kOfAll = 6 * kMost;
+  return {.most_beams = std::clamp(kOfAll / std::max<std::size_t>(1, samples), kLeast, kMost), .edge_rays = 17};
+}
 
 /// The same where `fidelis simulate` made the measurement: then the model's own grid is the truth.
 Detail onModelsGrid(Detail detail) {
@@ -203,7 +208,8 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
                               madeOnTheModelsGrid(*all_beams, Replay(experiment, model, onModelsGrid(kExact)));
   if (on_models_grid) all_beams.emplace(experiment, model, onModelsGrid(kExact));
   const Replay& replay = *all_beams;
-  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(kQuick) : kQuick,
+  const Detail quick = quickDetail(experiment.samples.size());
+  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(quick) : quick,
                                   foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");

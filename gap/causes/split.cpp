@@ -1,16 +1,20 @@
 #include "gap/causes/split.h"
 
+#include <algorithm>
+
 namespace gap {
 
 namespace {
 
 constexpr int kFitFrames = 5;
-constexpr int kRefineFrames = 16;
+constexpr int kRefineFrames = 16, kLeastRefineFrames = 8;
+constexpr int kRefineFramesInAll = 64;  // of all samples: more of them need fewer frames each to tell as much
 constexpr int kJudgeFrames = 16;
 
 Split withRefined(Split split) {
+  const auto samples = static_cast<int>(std::max<std::size_t>(1, split.fitted.samples.size()));
   split.refined = split.fitted;
-  split.refined.most_frames = kRefineFrames;
+  split.refined.most_frames = std::clamp(kRefineFramesInAll / samples, kLeastRefineFrames, kRefineFrames);
   return split;
 }
 

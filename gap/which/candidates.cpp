@@ -217,8 +217,8 @@ Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   return yardstick;
 }
 
-std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
-                            core::Progress& progress, const World* known) {
+std::vector<Candidate> fitted(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
+                              core::Progress& progress, const World* known) {
   std::atomic<std::size_t> done = 0;
   const auto report = [&](const char* doing, const Hypothesis& hypothesis) {
     progress.report(static_cast<double>(++done) / static_cast<double>(2 * hypotheses.size()), doing + hypothesis.name);
@@ -250,8 +250,17 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
     candidate.hypothesis = tried[h];
     candidate.values = scouted[h].values;
     if (promising[h]) candidate.values = fittedOf(judge, tried[h], scouted[h].values, where, progress);
-    judge.hear(candidate);
     report("fitted ", tried[h]);
+  });
+  return candidates;
+}
+
+std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses, const WhereResult& where,
+                            core::Progress& progress) {
+  std::vector<Candidate> candidates = fitted(judge, hypotheses, where, progress);
+  core::parallelFor(candidates.size(), 1, [&](std::size_t c, std::size_t) {
+    core::stopIfCancelled(progress);
+    judge.hear(candidates[c]);
   });
   sortByMerit(candidates);
   return candidates;

@@ -71,11 +71,14 @@ struct Judge {
   static constexpr double kNatsPerNumber = 4.0;
 };
 
-/// Fits every hypothesis and judges it on held-out data; best merit first. What is `known` is at work in all of them,
-/// and only what they bring beyond it decides which are fitted to the end.
+/// Fits every hypothesis. What is `known` is at work in all of them, and only what they bring beyond it decides which
+/// are fitted to the end.
+[[nodiscard]] std::vector<Candidate> fitted(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
+                                            const WhereResult& where, core::Progress& progress,
+                                            const World* known = nullptr);
+/// Fits every hypothesis and judges it on held-out data; best merit first.
 [[nodiscard]] std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
-                                          const WhereResult& where, core::Progress& progress,
-                                          const World* known = nullptr);
+                                          const WhereResult& where, core::Progress& progress);
 
 /// Fits the leaders again with more frames and beams, from where they are and from what the residual map suggests, and
 /// judges them again, by what they leave of the total gap as well; the leaders come first, by merit, and so do the

@@ -26,6 +26,7 @@ constexpr double kWeakGap = 0.40;      // the least share, where the gap is hard
 constexpr double kLeastShrink = 0.05;  // of the total gap: of causes that move rays: less may be how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
+constexpr double kHopeless = 0.5;  // of what a cause must account for to be named: closer fits do not double a share
 constexpr std::size_t kPairsHeard = 4;  // best ones: one of them may earn its second cause where the first does not
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
 
@@ -179,6 +180,13 @@ double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
 }
 
+/// Whether none of these explains so much that it may yet be named.
+bool hopeless(const Yardstick& yardstick, const std::vector<Candidate>& candidates) {
+  const double least = kHopeless * enoughToName(yardstick);
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& candidate) { return candidate.explained < least; });
+}
+
 /// The best cause with what a second search finds beside it, where its own noise hides that. References take long, and
 /// are corrected first where one is wrong.
 std::vector<Candidate> smallSeconds(const Judge& quick, const Judge& exact, std::vector<Candidate> singles,
@@ -204,9 +212,9 @@ bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs =
       room ? rankPairs(quick, decision.singles, part) : smallSeconds(quick, exact, decision.singles, part);
+  if (hopeless(exact.yardstick, pairs)) return false;
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
   polish(exact, gaps, pairs, where, progress);
-  if (pairs.empty()) return false;
   exchangeMembers(quick, exact, gaps, decision.singles, pairs, progress);
   leadByAll(quick, exact, pairs, addedBySecond(decision.singles.front(), pairs));
   leadByEffects(quick, exact, pairs);

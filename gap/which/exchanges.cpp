@@ -14,6 +14,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 3;
+constexpr double kTooFarBehind = 0.3;   // of what the best pair explains of the fitted samples
 constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
 /// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
@@ -36,8 +37,9 @@ std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, 
   return nearest;
 }
 
-/// Those that come nearest once they were fitted roughly: a fit to the end takes as long as that of the best pair.
-std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Candidate> others,
+/// Those that come nearest once they were fitted roughly, unless they are so far behind the best pair that no fit to
+/// the end helps, which takes as long as that of the best pair.
+std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& best, std::vector<Candidate> others,
                                       const core::Progress& progress) {
   std::vector<std::pair<double, std::size_t>> order(others.size());
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
@@ -46,8 +48,12 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Candidate>
     order[i] = {quick.leftOfFitted(other.hypothesis, other.values), i};
   });
   std::sort(order.begin(), order.end());
+  const double of_best = quick.leftOfFitted(best.hypothesis, best.values);
+  const double of_none = discrepancyOf(quick.replay, quick.replay.baseline(), quick.split.fitted);
+  const double most = of_best + kTooFarBehind * std::max(0.0, of_none - of_best);
   std::vector<Candidate> nearest;
-  for (std::size_t i = 0; i < std::min(kFittedWell, order.size()); ++i) nearest.push_back(others[order[i].second]);
+  for (std::size_t i = 0; i < std::min(kFittedWell, order.size()) && order[i].first <= most; ++i)
+    nearest.push_back(others[order[i].second]);
   return nearest;
 }
 
@@ -68,7 +74,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles, progress))
       others.push_back(std::move(other));
   }
-  others = nearestRoughly(quick, std::move(others), progress);
+  others = nearestRoughly(quick, pairs.front(), std::move(others), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i];
     other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);

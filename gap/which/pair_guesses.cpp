@@ -20,6 +20,7 @@ constexpr std::size_t kScoutSamples = 4;
 constexpr int kScoutFrames = 4;
 constexpr std::size_t kScoutBeams = 120;
 constexpr std::size_t kSumsFitted = 6;      // nearest sums of two signatures
+constexpr std::size_t kGlancesKept = 60;    // of every two effects, seen in one frame
 constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
 constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
@@ -148,20 +149,22 @@ std::vector<Guess> PairGuesses::nearestOfEveryTwo() const {
     if (hypothesis.kind != CauseKind::kEffect || !hypothesis.variant.empty() || !hypothesis.sensors.empty()) continue;
     for (auto& values : fewPlaces(hypothesis)) places.push_back({i, std::move(values)});
   }
+  const Evidence at_a_glance = spreadOver(scouted_, kScoutSamples, 1);
   std::vector<std::vector<Guess>> beside(places.size());
   core::parallelFor(places.size(), 1, [&](std::size_t a, std::size_t) {
     for (std::size_t b = a + 1; b < places.size(); ++b) {
       core::stopIfCancelled(progress_);
       if (!mayPair(places[a].single, places[b].single)) continue;
       Guess guess{places[a].single, places[b].single, joined(places[a].values, places[b].values)};
-      guess.distance = distanceOf(hypothesisOf(guess), guess.values);
+      const Hypothesis both = hypothesisOf(guess);
+      guess.distance = discrepancyOf(scout_, worldOf(scout_, both, guess.values), at_a_glance);
       beside[a].push_back(std::move(guess));
     }
     beside[a] = nearestOf(std::move(beside[a]), kSumsFitted);
   });
   std::vector<Guess> guesses;
   for (auto& some : beside) append(guesses, std::move(some));
-  return nearestOf(std::move(guesses), kSumsFitted);
+  return nearestOf(lookedAt(nearestOf(std::move(guesses), kGlancesKept)), kSumsFitted);
 }
 
 /// Every cause that may be a pair with this one is looked at beside it, wherever it was looked at alone: what two do

@@ -36,12 +36,12 @@ std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known, co
   if (hypotheses.empty()) return {};
   const World world = worldOf(judge.replay, known.hypothesis, known.values);
   const WhereResult where = whereIn(judge.replay, world, judge.split.fitted.seed);
-  const std::vector<Candidate> ranked = rank(judge, hypotheses, where, progress, &world);
+  const std::vector<Candidate> candidates = fitted(judge, hypotheses, where, progress, &world);
 
-  std::vector<std::pair<double, std::size_t>> order(ranked.size());
-  core::parallelFor(ranked.size(), 1, [&](std::size_t i, std::size_t) {
+  std::vector<std::pair<double, std::size_t>> order(candidates.size());
+  core::parallelFor(candidates.size(), 1, [&](std::size_t i, std::size_t) {
     core::stopIfCancelled(progress);
-    const Candidate& candidate = ranked[i];
+    const Candidate& candidate = candidates[i];
     const double price = Judge::kNatsPerNumber * static_cast<double>(candidate.values.size());
     order[i] = {judge.leftOfFitted(candidate.hypothesis, candidate.values) + price, i};
   });
@@ -51,8 +51,8 @@ std::vector<Found> searchedBeside(const Judge& judge, const Candidate& known, co
   std::set<std::string> names;
   for (const auto& [left, i] : order) {
     if (left >= nothing || found.size() == kMost) break;
-    if (names.insert(ranked[i].hypothesis.name).second)
-      found.push_back({places.at(formOf(ranked[i].hypothesis)), ranked[i].values});
+    if (names.insert(candidates[i].hypothesis.name).second)
+      found.push_back({places.at(formOf(candidates[i].hypothesis)), candidates[i].values});
   }
   return found;
 }

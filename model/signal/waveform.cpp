@@ -165,6 +165,7 @@ WaveformPart::WaveformPart(const PartOfPulses& part, const PulseForm& form, doub
   start_m_ = part.from_m - 2.0 * step_m_;
   const auto samples = static_cast<std::size_t>((part.to_m - start_m_) / step_m_ + 2.0) + 2;
   signal_.resize(samples, 0.0);
+  log_.resize(samples, std::numeric_limits<double>::quiet_NaN());
   if (form.shape.isGaussian()) {
     addGaussians(part.pulses, part.tail_m);
   } else {
@@ -182,7 +183,9 @@ std::size_t WaveformPart::highestSample() const {
 }
 
 double WaveformPart::logAt(std::size_t sample) const {
-  return signal_[sample] > 0.0 ? std::log(signal_[sample]) : kLogOfNothing;
+  double& log = log_[sample];
+  if (std::isnan(log)) log = signal_[sample] > 0.0 ? std::log(signal_[sample]) : kLogOfNothing;
+  return log;
 }
 
 void WaveformPart::addGaussians(std::span<const Pulse> pulses, double cut_m) {
@@ -250,13 +253,14 @@ double WaveformPart::crossing(std::size_t below, std::size_t above, double log_l
 
 /// How far from a sample that is higher than its neighbours log s is highest, in steps, and how high: by the quartic
 /// through five samples, by Newton's method from the vertex of the parabola through three.
-std::pair<double, double> WaveformPart::summitAt(std::size_t top) const {
+WaveformPart::Summit WaveformPart::summitAt(std::size_t top) const {
   const double height = logAt(top);
-  if (top == 0 || top + 1 >= signal_.size()) return {0.0, height};
+  const auto summit = [&](double steps, double log) { return Summit{top, steps, log, std::exp(log)}; };
+  if (top == 0 || top + 1 >= signal_.size()) return summit(0.0, height);
   const double left = logAt(top - 1), right = logAt(top + 1);
   // y(t) = height + slope t + curve t² + third t³ + fourth t⁴
   double slope = 0.5 * (right - left), curve = 0.5 * (left - 2.0 * height + right), third = 0.0, fourth = 0.0;
-  if (curve >= 0.0) return {0.0, height};
+  if (curve >= 0.0) return summit(0.0, height);
   double t = std::clamp(-0.5 * slope / curve, -0.5, 0.5);
   if (top >= 2 && top + 2 < signal_.size()) {
     const double far_left = logAt(top - 2), far_right = logAt(top + 2);
@@ -270,7 +274,12 @@ std::pair<double, double> WaveformPart::summitAt(std::size_t top) const {
       t = std::clamp(t - (slope + t * (2.0 * curve + t * (3.0 * third + 4.0 * fourth * t))) / bend, -1.0, 1.0);
     }
   }
-  return {t, height + t * (slope + t * (curve + t * (third + t * fourth)))};
+  return summit(t, height + t * (slope + t * (curve + t * (third + t * fourth))));
+}
+
+const WaveformPart::Summit& WaveformPart::knownSummitAt(std::size_t top) const {
+  if (summit_.top != top) summit_ = summitAt(top);
+  return summit_;
 }
 
 /// The highest of the samples [begin, end), and where they cross the level; with a level of zero, crossings are left
@@ -280,10 +289,10 @@ Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level
   for (std::size_t i = begin; i < end; ++i) {
     if (signal_[i] > signal_[top]) top = i;
   }
-  const auto [shift, height] = summitAt(top);
+  const Summit& summit = knownSummitAt(top);
   Stretch stretch;
-  stretch.peak_m = start_m_ + (static_cast<double>(top) + shift) * step_m_;
-  stretch.peak_w = std::exp(height);
+  stretch.peak_m = start_m_ + (static_cast<double>(top) + summit.steps) * step_m_;
+  stretch.peak_w = summit.power_w;
   if (level_w > 0.0) {
     const double log_level = std::log(level_w);
     stretch.rise_m = begin > 0 ? crossing(begin - 1, begin, log_level) : start_m_;

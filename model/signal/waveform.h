@@ -53,8 +53,14 @@ class WaveformPart {
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
-  /// In steps from that sample, and log s.
-  [[nodiscard]] std::pair<double, double> summitAt(std::size_t top) const;
+  struct Summit {
+    std::size_t top = static_cast<std::size_t>(-1);  ///< the highest sample
+    double steps = 0.0;                              ///< from it
+    double log = 0.0;                                ///< of s [ln W]
+    double power_w = 0.0;
+  };
+  [[nodiscard]] Summit summitAt(std::size_t top) const;
+  [[nodiscard]] const Summit& knownSummitAt(std::size_t top) const;
   [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
 
   Pulse lone_;  ///< the only pulse, if there is but one: it has a closed form and is not sampled
@@ -66,6 +72,9 @@ class WaveformPart {
   std::vector<double> signal_;  ///< [W]
   /// Samples [first, second) above the lowest level; a fog's long tail holds none, and every shot listens once more.
   std::vector<std::pair<std::size_t, std::size_t>> audible_;
+  // Every shot asks for the same few logarithms and mostly for the same summit. One thread listens to a part.
+  mutable std::vector<double> log_;  ///< of the samples, NaN where nobody has asked
+  mutable Summit summit_;            ///< that was asked for last
 };
 
 /// Splits the pulses of one beam into parts that do not touch above `lowest_level_w`. Parts that stay below it are
