@@ -208,9 +208,8 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
                               madeOnTheModelsGrid(*all_beams, Replay(experiment, model, onModelsGrid(kExact)));
   if (on_models_grid) all_beams.emplace(experiment, model, onModelsGrid(kExact));
   const Replay& replay = *all_beams;
-  const Detail quick = quickDetail(experiment.samples.size());
-  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(quick) : quick,
-                                  foreign);
+  const Detail few = quickDetail(experiment.samples.size());
+  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(few) : few, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
   // Whoever decides, the samples that this one holds out say how far the gap shrinks.
