@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kLittle = 0.5;          // of the gap
 constexpr double kDeviates = 3.0;        // standard errors, of a beam
-constexpr std::size_t kDeviating = 180;  // beams of a sample at most, and
-constexpr std::size_t kOthers = 180;     // so many others beside them: what is right there must stay right
 constexpr std::size_t kJudgedByAll = 8;  // of the causes that come nearest on these beams
 
 /// Of every sample, by how many standard errors each beam deviates most.
@@ -31,17 +29,19 @@ std::vector<std::vector<double>> deviations(const Replay& replay, const WhereRes
   return deviations;
 }
 
-/// The beams that deviate most, and others all over the scan. Ascending.
-std::vector<std::uint32_t> chosenBy(const std::vector<double>& deviations) {
+/// The beams that deviate most, and others all over the scan (what is right there must stay right), half of them each.
+/// Ascending.
+std::vector<std::uint32_t> chosenBy(const std::vector<double>& deviations, std::size_t most) {
   std::vector<std::uint32_t> order(deviations.size());
   for (std::uint32_t b = 0; b < order.size(); ++b) order[b] = b;
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return deviations[a] > deviations[b]; });
   const auto calm = std::find_if(order.begin(), order.end(), [&](auto b) { return deviations[b] < kDeviates; });
-  const auto deviating = std::min<std::size_t>(kDeviating, static_cast<std::size_t>(calm - order.begin()));
+  const std::size_t half = std::max<std::size_t>(1, most / 2);
+  const auto deviating = std::min<std::size_t>(half, static_cast<std::size_t>(calm - order.begin()));
   std::vector<std::uint32_t> others(order.begin() + static_cast<std::ptrdiff_t>(deviating), order.end());
   std::sort(others.begin(), others.end());
   order.resize(deviating);
-  const std::size_t stride = std::max<std::size_t>(1, others.size() / kOthers);
+  const std::size_t stride = std::max<std::size_t>(1, others.size() / half);
   for (std::size_t i = 0; i < others.size(); i += stride) order.push_back(others[i]);
   std::sort(order.begin(), order.end());
   return order;
@@ -71,7 +71,8 @@ void lookCloser(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   const bool all_took_part = &quick.replay == &exact.replay;
   if (all_took_part || singles.empty() || singles.front().explained >= kLittle) return;
   std::vector<std::vector<std::uint32_t>> beams;
-  for (const std::vector<double>& of_sample : deviations(exact.replay, where)) beams.push_back(chosenBy(of_sample));
+  for (const std::vector<double>& of_sample : deviations(exact.replay, where))
+    beams.push_back(chosenBy(of_sample, quick.replay.detail().most_beams));
   const Replay there = exact.replay.only(std::move(beams), quick.replay.detail());
   Judge closely{there, quick.split, yardstickOf(there, quick.split.held_out)};
   std::vector<Hypothesis> hypotheses;
