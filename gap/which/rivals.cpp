@@ -24,19 +24,24 @@ std::size_t formsOf(const Hypothesis& hypothesis) {
   return effect ? 1 + effect->info.other_forms.size() : 2;
 }
 
-/// What a cause takes to say what it says, in nats: free numbers that are not where it is absent (an effect may have
-/// several mechanisms, of which one is at work, however little: a delay of milliseconds, of those that may be a
-/// second), and the choice of a form other than its usual one among all of them, of a pair for each member.
-double priceOf(const Candidate& candidate) {
+/// Free numbers that are not where the cause is absent (an effect may have several mechanisms, of which one is at work,
+/// however little: a delay of milliseconds, of those that may be a second). One at least, if it has any.
+double numbersSaid(const Candidate& cause) {
   constexpr double kNothing = 0.01;  // of the range
   double numbers = 0.0;
-  for (std::size_t i = 0; i < candidate.values.size(); ++i) {
-    const FreeParameter& p = candidate.hypothesis.parameters[i];
-    numbers += std::abs(candidate.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < cause.values.size(); ++i) {
+    const FreeParameter& p = cause.hypothesis.parameters[i];
+    numbers += std::abs(cause.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
   }
-  const double least = candidate.values.empty() ? 0.0 : 1.0;
-  double price = Judge::kNatsPerNumber * std::max(least, numbers);
+  return std::max(cause.values.empty() ? 0.0 : 1.0, numbers);
+}
+
+/// What a cause takes to say what it says, in nats: its numbers, and the choice of a form other than its usual one
+/// among all of them; of a pair that of each member.
+double priceOf(const Candidate& candidate) {
+  double price = 0.0;
   for (const Candidate& member : membersOf(candidate)) {
+    price += Judge::kNatsPerNumber * numbersSaid(member);
     if (!member.hypothesis.variant.empty()) price += std::log(static_cast<double>(formsOf(member.hypothesis)));
   }
   return price;

@@ -10,14 +10,24 @@ namespace gap {
 namespace {
 
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
+constexpr double kFarClearer = 10.0;      // the same where nothing was named: to look again costs time alone
 constexpr double kHardlyByChance = 0.01;  // of a gap that is not beyond doubt: a second search is worth its time
 
-/// Whether a deviation, in standard deviations, is beyond doubt in one part of the samples, and far from it in the
-/// other.
-bool inOnePartOnly(double held_out_z, double fitted_z) {
-  const double least = std::min(held_out_z, fitted_z), most = std::max(held_out_z, fitted_z);
-  return most >= Yardstick::kClear_z && least < std::min(Yardstick::kClear_z, most / kMuchClearer);
-}
+/// Deviations of the two parts of the samples, in standard deviations.
+struct Deviations {
+  double held_out_z, fitted_z;
+
+  /// Whether it is beyond doubt in one part, and far from it in the other.
+  [[nodiscard]] bool inOnePartOnly() const {
+    return most() >= Yardstick::kClear_z && least() < std::min(Yardstick::kClear_z, most() / kMuchClearer);
+  }
+  /// Whether it is so much larger in one part that what acts in the other is hardly what makes it.
+  [[nodiscard]] bool mostlyInOnePart() const { return most() >= Yardstick::kClear_z && least() < most() / kFarClearer; }
+
+ private:
+  [[nodiscard]] double least() const { return std::min(held_out_z, fitted_z); }
+  [[nodiscard]] double most() const { return std::max(held_out_z, fitted_z); }
+};
 
 Judge judgeByBeams(const Replay& replay, std::uint64_t seed, const Ablation& without) {
   const Split by_beams = without.applied(splitByBeams(replay, seed));
@@ -47,11 +57,13 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
-  const auto leavesOnePart = [&](const Candidate& cause) {
-    return inOnePartOnly(restOf(judge, cause), restOf(on_fitted, cause));
+  const auto leftBy = [&](const Candidate& cause) {
+    return Deviations{restOf(judge, cause), restOf(on_fitted, cause)};
   };
-  return leavesOnePart(decision.singles.front()) ||
-         (!decision.winner && leavesOnePart(nearestToFitted(quick, decision.singles)));
+  const Deviations left = leftBy(decision.singles.front());
+  if (left.inOnePartOnly()) return true;
+  if (decision.winner) return false;
+  return left.mostlyInOnePart() || leftBy(nearestToFitted(quick, decision.singles)).inOnePartOnly();
 }
 
 /// Whether held-out samples differ by more than chance though no cause was found that makes them: what acts there alone
@@ -65,7 +77,7 @@ bool mayHideInHeldOut(const Judge& judge, const Decision& decision) {
 Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
   const Split by_samples = without.applied(splitOf(replay, seed));
   const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
-  if (inOnePartOnly(yardstick.z(), yardstickOf(replay, by_samples.fitted).z()))
+  if (Deviations{yardstick.z(), yardstickOf(replay, by_samples.fitted).z()}.inOnePartOnly())
     return judgeByBeams(replay, seed, without);
   return {replay, by_samples, yardstick};
 }

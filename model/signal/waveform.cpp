@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/bulk_math.h"
 #include "core/multiversion.h"
 
 namespace model {
@@ -81,12 +82,14 @@ void runsAbove(double level, const std::vector<double>& signal, std::size_t firs
 std::vector<bool> audibleBetween(std::span<const Pulse> pulses, const PulseForm& form, double lowest_level_w) {
   const double a = kFourLn2 / (form.fwhm_m * form.fwhm_m);
   std::vector<double> handed_on(pulses.size() - 1), from_here_w(pulses.size());
-  from_here_w.back() = pulses.back().power_w;
-  for (std::size_t i = handed_on.size(); i-- > 0;) {
+  for (std::size_t i = 0; i < handed_on.size(); ++i) {
     const double apart_m = pulses[i + 1].range_m - pulses[i].range_m;
-    handed_on[i] = std::exp(-a * apart_m * apart_m);
-    from_here_w[i] = pulses[i].power_w + handed_on[i] * from_here_w[i + 1];
+    handed_on[i] = -a * apart_m * apart_m;
   }
+  core::expOf(handed_on, handed_on);
+  from_here_w.back() = pulses.back().power_w;
+  for (std::size_t i = handed_on.size(); i-- > 0;)
+    from_here_w[i] = pulses[i].power_w + handed_on[i] * from_here_w[i + 1];
   std::vector<bool> audible;
   double up_to_here_w = 0.0;
   for (std::size_t i = 0; i < handed_on.size(); ++i) {

@@ -327,6 +327,21 @@ TEST(Diagnose, NamesTheEffectBesideACalibrationThatShowsInHeldOutSamplesOnly) {
   EXPECT_THAT(diagnosis.held_out, testing::ElementsAre("r8", "r19"));
 }
 
+// Every sample keeps the losses that the library lacks; what the held-out one shows besides is far more.
+TEST(Diagnose, NamesTheEffectOfAHeldOutSampleThoughTheOthersKeepARest) {
+  const auto narrow = SmallWorld::narrowView();
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"aperture-offset", {{"offset_m", 0.054}}}, {"detection-loss", {{"probability", 0.06}}}}, narrow);
+  const auto experiment =
+      withRoles(world.measuredBy(truth, 0.4), {{"r8", model::Role::kPrediction}, {"r36", model::Role::kValidation}});
+  const gap::Diagnosis diagnosis =
+      diagnosed(experiment, SmallWorld::modelWith({}, narrow), {"aperture-offset", "atmospheric-attenuation"});
+  ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.054, 0.001);
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+}
+
 // 50.3 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
 // of all held-out cells that is no gap beyond doubt, and no even search of the others leads there.
 TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {

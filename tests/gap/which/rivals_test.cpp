@@ -36,15 +36,23 @@ class Rivals : public testing::Test {
     for (gap::Evidence* evidence : {&split.fitted, &split.refined, &split.held_out}) evidence->samples = {2};
     return split;
   }
-  /// Beside the roughness, both fitted.
-  [[nodiscard]] gap::Candidate pairWith(const std::string& name, const std::string& variant, double value,
-                                        double merit) const {
+  /// Beside the roughness.
+  [[nodiscard]] gap::Candidate pairAt(const std::string& name, const std::string& variant, double value,
+                                      double merit) const {
     const auto find = [&](const std::string& wanted, const std::string& form) {
       return test_support::hypothesisNamed(hypotheses_, wanted, form);
     };
     gap::Candidate pair{.hypothesis = gap::together(find("angular-reflection", "oren-nayar"), find(name, variant)),
-                        .values = {}};
-    pair.values = gap::fitFrom(replay_, pair.hypothesis, judge_.split.refined, {0.4, value}, core::SilentProgress());
+                        .values = {0.4, value}};
+    judge_.hear(pair);
+    pair.merit = merit;
+    return pair;
+  }
+  /// The same, both fitted.
+  [[nodiscard]] gap::Candidate pairWith(const std::string& name, const std::string& variant, double value,
+                                        double merit) const {
+    gap::Candidate pair = pairAt(name, variant, value, merit);
+    pair.values = gap::fitFrom(replay_, pair.hypothesis, judge_.split.refined, pair.values, core::SilentProgress());
     judge_.hear(pair);
     pair.merit = merit;
     return pair;
@@ -66,6 +74,13 @@ class Rivals : public testing::Test {
 
 TEST_F(Rivals, OfTwoEffectsLeadBeforeAnEffectWithARecalibration) {
   EXPECT_EQ(leaderOf({weaker_emitter_, haze_}), "atmospheric-attenuation");
+}
+
+// A threshold a little beside what is recorded, and one that is a multiple of the noise, are one threshold.
+TEST_F(Rivals, OfTwoEffectsLeadHoweverLittleARecalibrationMoves) {
+  const double recorded_w = replay_.baseline().model.sensor("").receiver.threshold_w;
+  const gap::Candidate threshold = pairAt("/sensor/receiver/threshold_w", "", 1.001 * recorded_w, 1.0);
+  EXPECT_EQ(leaderOf({threshold, pairAt("atmospheric-attenuation", "", 20000.0, 0.99)}), "atmospheric-attenuation");
 }
 
 TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
