@@ -29,7 +29,8 @@ using Measured = std::vector<std::vector<CellStatistics>>;
 [[nodiscard]] Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence,
                                   std::uint64_t seed);
 
-/// A world simulated once on some evidence, and how far it is from any measurement of these samples.
+/// A world simulated once on some evidence, and how far it is from any measurement of these samples. Replay and world
+/// outlive it.
 class SimulatedWorld {
  public:
   SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence);
