@@ -9,12 +9,16 @@ in front of a wall that wide beams meet obliquely.
 """
 
 import argparse
-import json
+import copy
 import os
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "withheld"))
+import packages
 
 DISTANCES = (1.0, 1.13, 1.27)  # of those of the visible case
 SAMPLES = 12
@@ -26,31 +30,30 @@ CASES = {
 }
 
 
-def moved(sample, copy):
+def moved(sample, turn):
     """The sample at another distance, with a name of its own."""
-    sample = json.loads(json.dumps(sample))
-    name = f"{sample['id']}{'abc'[copy]}"
+    sample = copy.deepcopy(sample)
+    name = f"{sample['id']}{'abc'[turn]}"
     sample["measurements"] = sample["measurements"].replace(sample["id"], name)
     sample["id"] = name
     if "setup" in sample:
-        sample["setup"] += "abc"[copy]
+        sample["setup"] += "abc"[turn]
     for patch in sample.get("patch", []):
         if "position_m" in patch["path"]:
-            patch["value"] = round(patch["value"] * DISTANCES[copy], 3)
-    sample["parameters"] = {key: round(value * DISTANCES[copy], 3) for key, value in sample["parameters"].items()}
+            patch["value"] = round(patch["value"] * DISTANCES[turn], 3)
+    sample["parameters"] = {key: round(value * DISTANCES[turn], 3) for key, value in sample["parameters"].items()}
     return sample
 
 
 def build(package, effects, programs, folder):
     """The package measured in a world with these effects; its path."""
-    experiment = json.loads((package / "experiment.json").read_text())
+    experiment = packages.read(package / "experiment.json")
     known = experiment["samples"]
     experiment["samples"] = [moved(known[i % len(known)], i // len(known)) for i in range(SAMPLES)]
-    model = json.loads((package / "model.json").read_text())
+    model = packages.read(package / "model.json")
     model["effects"].update(effects)
-    (folder / "in").mkdir()
-    (folder / "in" / "experiment.json").write_text(json.dumps(experiment))
-    (folder / "true.json").write_text(json.dumps(model))
+    packages.write(folder / "in" / "experiment.json", experiment)
+    packages.write(folder / "true.json", model)
     subprocess.run([programs / "withheld_generator", folder / "in", "--model", folder / "true.json", "--out", folder / "out"],
                    check=True)
     return folder / "out"
@@ -65,7 +68,7 @@ def diagnose(package, model, programs, threads):
     _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         raise SystemExit(f"fidelis gap {package} failed")
-    return time.monotonic() - start, usage.ru_maxrss / 1024, json.loads(report.read_text())["verdict"]["names"]
+    return time.monotonic() - start, usage.ru_maxrss / 1024, packages.read(report)["verdict"]["names"]
 
 
 def main():
@@ -73,16 +76,15 @@ def main():
     parser.add_argument("--bin", type=Path, default=Path("build/bin"), help="folder of the programs")
     parser.add_argument("--threads", type=int, default=2)
     options = parser.parse_args()
-    packages = Path(os.environ.get("FIDELIS_SHARED", "../shared")) / "experiments"
-    if not packages.is_dir():
-        raise SystemExit(f"{packages}: no folder of visible cases; name it in FIDELIS_SHARED")
+    visible = Path(os.environ.get("FIDELIS_SHARED", "../shared")) / "experiments"
+    if not visible.is_dir():
+        raise SystemExit(f"{visible}: no folder of visible cases; name it in FIDELIS_SHARED")
     print("| case | detections | seconds | MiB | named |\n|-|-:|-:|-:|-|")
     for title, (case, effects) in CASES.items():
         with tempfile.TemporaryDirectory() as temporary:
-            package = build(packages / case, effects, options.bin, Path(temporary))
-            detections = sum(int(subprocess.check_output(f"zcat -f '{file}' | wc -l", shell=True)) - 1
-                             for file in (package / "measurements").iterdir())
-            seconds, mib, names = diagnose(package, packages / case / "model.json", options.bin, options.threads)
+            package = build(visible / case, effects, options.bin, Path(temporary))
+            detections = sum(len(packages.read_table(file)["frame"]) for file in (package / "measurements").iterdir())
+            seconds, mib, names = diagnose(package, visible / case / "model.json", options.bin, options.threads)
             print(f"| {title} ({case}) | {detections} | {seconds:.0f} | {mib:.0f} | {', '.join(names)} |", flush=True)
 
 

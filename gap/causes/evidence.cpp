@@ -25,6 +25,12 @@ std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, 
   return comparisons;
 }
 
+/// Discrepancy once the simulated surfaces stand where they fit best, with the price of that.
+double settled(const Replay& replay, const World& world, std::vector<Comparison> comparisons, Part part) {
+  const double price = settle(replay, world, comparisons, part);
+  return price + discrepancy(replay, comparisons, part);
+}
+
 }  // namespace
 
 Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most_frames) {
@@ -59,21 +65,16 @@ Measured measuredIn(const Replay& replay, const World& truth, const Evidence& ev
 SimulatedWorld::SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence)
     : replay_(replay), world_(world), part_(evidence.part), comparisons_(comparisonsOf(replay, world, evidence)) {}
 
-double SimulatedWorld::settled(std::vector<Comparison> comparisons) const {
-  const double settling = settle(replay_, world_, comparisons, part_);
-  return settling + gap::discrepancy(replay_, comparisons, part_);
-}
-
-double SimulatedWorld::discrepancy() const { return settled(comparisons_); }
+double SimulatedWorld::discrepancy() const { return settled(replay_, world_, comparisons_, part_); }
 
 double SimulatedWorld::discrepancyTo(const Measured& measured) const {
   std::vector<Comparison> comparisons = comparisons_;
   for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i];
-  return settled(std::move(comparisons));
+  return settled(replay_, world_, std::move(comparisons), part_);
 }
 
 double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {
-  return SimulatedWorld(replay, world, evidence).discrepancy();
+  return settled(replay, world, comparisonsOf(replay, world, evidence), evidence.part);
 }
 
 }  // namespace gap

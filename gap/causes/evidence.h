@@ -40,8 +40,6 @@ class SimulatedWorld {
   [[nodiscard]] double discrepancyTo(const Measured& measured) const;
 
  private:
-  [[nodiscard]] double settled(std::vector<Comparison> comparisons) const;
-
   const Replay& replay_;
   const World& world_;
   Part part_;
