@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "gap/replay/statistics.h"
 #include "gap/where/covariates.h"
@@ -13,6 +16,7 @@ namespace {
 constexpr std::size_t kQuantileGroups = 16;
 constexpr std::size_t kFewGroups = 2;    // a run of so few is cut once more
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
+constexpr double kSomewhere = 0.05;      // lift: what a cause changes less unevenly it changes everywhere alike
 
 using Row = ResidualTable::Row;
 
@@ -98,6 +102,7 @@ std::vector<Group> namedGroups(const std::vector<Row>& rows, const Covariate& co
   return groups;
 }
 
+/// A run of groups that holds more of a gap than of the data.
 struct Best {
   Group joint;
   std::size_t first = 0, last = 0;
@@ -146,6 +151,63 @@ Best narrowed(Best best, const std::vector<Row>& rows, const Covariate& covariat
   return best;
 }
 
+double weightOf(const ResidualTable& table) {
+  double weight = 0.0;
+  for (const Row& row : table.rows) weight += row.weight;
+  return weight;
+}
+
+/// Of one covariate: an interval or names.
+struct Stratum {
+  double low = 0.0, high = 0.0;
+  std::vector<std::string> names;  // in order
+  double lift = 0.0;
+  std::size_t tried = 0;
+
+  [[nodiscard]] bool holds(const Row& row, const Covariate& covariate) const {
+    if (!covariate.numeric) return std::binary_search(names.begin(), names.end(), covariate.text(row));
+    const double x = covariate.number(row);
+    return x >= low && x <= high;
+  }
+};
+
+/// That which exceeds its share of the data most, if any does.
+std::optional<Stratum> stratumOf(const ResidualTable& table, const Covariate& covariate) {
+  const GapOfRows gaps(table);
+  if (gaps.all() <= 0.0) return std::nullopt;
+  const double all_weight = weightOf(table);
+  const auto groups =
+      covariate.numeric ? numericGroups(table.rows, covariate, gaps) : namedGroups(table.rows, covariate, gaps);
+  if (groups.size() < 2) return std::nullopt;
+  Best best = bestRun(groups, gaps.all(), all_weight, !covariate.numeric, table.sign());
+  if (best.lift <= 0.0) return std::nullopt;
+  if (covariate.numeric && best.last - best.first < kFewGroups)
+    best = narrowed(std::move(best), table.rows, covariate, gaps, all_weight, table.sign());
+  Stratum stratum{best.joint.low, best.joint.high, {}, best.lift, best.tried};
+  if (!covariate.numeric) {
+    for (std::size_t g = best.first; g <= best.last; ++g) stratum.names.push_back(groups[g].name);
+    std::sort(stratum.names.begin(), stratum.names.end());
+  }
+  return stratum;
+}
+
+const TableChange* changeOf(const std::vector<TableChange>& changes, const std::string& measurand,
+                            const std::string& component) {
+  const auto found = std::find_if(changes.begin(), changes.end(), [&](const TableChange& change) {
+    return change.table.measurand == measurand && change.table.component == component;
+  });
+  return found == changes.end() ? nullptr : &*found;
+}
+
+/// What a cause changes, as a table whose gap is all of it: both worlds have the same noise.
+ResidualTable withoutNoise(ResidualTable change) {
+  for (Row& row : change.rows) {
+    row.error = 0.0;
+    if (change.sign() * row.value < 0.0) row.value = 0.0;
+  }
+  return change;
+}
+
 /// Covariates that a person thinks in first; they win where two tell the same story.
 double readability(const std::string& covariate) {
   if (covariate == "time_s" || covariate == "setup" || covariate == "epw_m" || covariate == "intensity") return 0.85;
@@ -153,64 +215,65 @@ double readability(const std::string& covariate) {
   return 1.0;
 }
 
+/// What a stratum holds of a table; its p-value is that of one stratum.
+WhereRow rowOf(const ResidualTable& table, const GapOfRows& gaps, const Covariate& covariate, const Stratum& stratum) {
+  Group joint;
+  for (const Row& row : table.rows)
+    if (stratum.holds(row, covariate)) joint.add(row, gaps);
+  WhereRow row;
+  row.measurand = table.measurand;
+  row.component = table.component;
+  row.covariate = covariate.name;
+  row.numeric = covariate.numeric;
+  row.low = stratum.low;
+  row.high = stratum.high;
+  row.names = stratum.names;
+  row.value = joint.weight > 0.0 ? joint.value / joint.weight : 0.0;
+  row.unit = table.unit;
+  row.share = std::clamp(joint.gap / gaps.all(), 0.0, 1.0);
+  row.size = joint.weight / weightOf(table);
+  row.p_value = 2.0 * upperTail(std::abs(joint.value) / std::sqrt(std::max(1e-300, joint.variance)));
+  row.score = stratum.lift * readability(covariate.name);
+  return row;
+}
+
 }  // namespace
 
 std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
-                                const CellsOfSamples& expected, const SizeOfTables& accounted_for) {
+                                const CellsOfSamples& expected, const std::vector<TableChange>& changes) {
   const std::vector<Covariate> covariates = covariatesOf(replay, expected);
   std::vector<WhereRow> result;
   for (const ResidualTable& table : tables) {
     const GapOfRows gaps(table);
-    const double all_gap = gaps.all();
+    const TableChange* change = changeOf(changes, table.measurand, table.component);
     const bool small = std::max(table.excess(), table.commonShift()) < kSmallestExcess;
-    if (all_gap <= 0.0 || (small && !accounted_for.contains({table.measurand, table.component}))) continue;
-    double all_weight = 0.0;
-    for (const Row& row : table.rows) all_weight += row.weight;
+    if (gaps.all() <= 0.0 || (small && !change)) continue;
+    const std::optional<ResidualTable> acts = change ? std::optional(withoutNoise(change->table)) : std::nullopt;
     for (const Covariate& covariate : covariates) {
-      const auto groups =
-          covariate.numeric ? numericGroups(table.rows, covariate, gaps) : namedGroups(table.rows, covariate, gaps);
-      if (groups.size() < 2) continue;
-      Best best = bestRun(groups, all_gap, all_weight, !covariate.numeric, table.sign());
-      if (best.lift <= 0.0) continue;
-      if (covariate.numeric && best.last - best.first < kFewGroups)
-        best = narrowed(std::move(best), table.rows, covariate, gaps, all_weight, table.sign());
-      WhereRow row;
-      row.measurand = table.measurand;
-      row.component = table.component;
-      row.covariate = covariate.name;
-      row.numeric = covariate.numeric;
-      row.low = best.joint.low;
-      row.high = best.joint.high;
-      if (!covariate.numeric) {
-        for (std::size_t g = best.first; g <= best.last; ++g) row.names.push_back(groups[g].name);
-        std::sort(row.names.begin(), row.names.end());
-      }
-      row.value = best.joint.value / best.joint.weight;
-      row.unit = table.unit;
-      row.share = std::min(1.0, best.joint.gap / all_gap);
-      row.size = best.joint.weight / all_weight;
-      const double z = std::abs(best.joint.value) / std::sqrt(std::max(1e-300, best.joint.variance));
-      row.p_value =
-          std::min(1.0, 2.0 * upperTail(z) * static_cast<double>(best.tried * covariates.size() * tables.size()));
-      row.score = best.lift * readability(covariate.name);
+      std::optional<Stratum> stratum = acts ? stratumOf(*acts, covariate) : std::nullopt;
+      if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(table, covariate);
+      if (!stratum) continue;
+      WhereRow row = rowOf(table, gaps, covariate, *stratum);
+      const auto tried = static_cast<double>(stratum->tried * covariates.size() * tables.size());
+      row.p_value = std::min(1.0, row.p_value * tried);
       result.push_back(std::move(row));
     }
   }
   // The measurand with the largest gap first; within it the stratum that concentrates it most, what may be noise last.
-  SizeOfTables largest;
+  std::map<std::pair<std::string, std::string>, double> largest;
   for (const ResidualTable& table : tables) {
     const bool significant = std::any_of(result.begin(), result.end(), [&](const WhereRow& row) {
       return row.measurand == table.measurand && row.component == table.component && !row.mayBeChance();
     });
     largest[{table.measurand, table.component}] = significant ? std::max(table.excess(), table.commonShift()) : 0.0;
   }
-  const auto sizeIn = [](const SizeOfTables& sizes, const WhereRow& row) {
-    const auto size = sizes.find({row.measurand, row.component});
-    return size == sizes.end() ? 0.0 : size->second;
+  const auto changedIn = [&](const WhereRow& row) {
+    const TableChange* change = changeOf(changes, row.measurand, row.component);
+    return change ? change->size : 0.0;
   };
   std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
-    const double changes_a = sizeIn(accounted_for, a), changes_b = sizeIn(accounted_for, b);
-    const double excess_a = sizeIn(largest, a), excess_b = sizeIn(largest, b);
+    const double changes_a = changedIn(a), changes_b = changedIn(b);
+    const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
     const bool sure_a = !a.mayBeChance(), sure_b = !b.mayBeChance();
     if (changes_a != changes_b) return changes_a > changes_b;
     if (excess_a != excess_b) return excess_a > excess_b;

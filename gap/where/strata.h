@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "gap/where/residual_tables.h"
@@ -28,14 +26,21 @@ struct WhereRow {
   [[nodiscard]] bool mayBeChance() const { return p_value > 1e-3; }
 };
 
-/// Of tables, by measurand and component: in scale units, or as far as a cause changes them.
-using SizeOfTables = std::map<std::pair<std::string, std::string>, double>;
+/// What a cause changes in a table: the residuals of a world that lacks it against one that has it, and how far that
+/// is.
+struct TableChange {
+  ResidualTable table;
+  double size = 0.0;
+};
 
 /// The best stratum of every covariate in every table: intervals of numeric covariates, sets of the others,
 /// found by exhaustive search over adjacent quantile groups. p-values are corrected for all strata tried (Bonferroni)
-/// and use beams, not single detections, as units. Tables come in the order of `accounted_for` (what a cause changes in
-/// them), then of their gap; what may be chance comes after what may not. `expected` as in covariates.h.
+/// and use beams, not single detections, as units. Tables come in the order of what a cause changes in them (`changes`,
+/// if one is named), then of their gap; what may be chance comes after what may not. A cause that does not act
+/// everywhere alike says where its strata end, for it has no noise; the table says what they hold. `expected` as in
+/// covariates.h.
 [[nodiscard]] std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
-                                              const CellsOfSamples& expected, const SizeOfTables& accounted_for = {});
+                                              const CellsOfSamples& expected,
+                                              const std::vector<TableChange>& changes = {});
 
 }  // namespace gap

@@ -89,14 +89,15 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
 
 std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& without, const WhereResult& with) {
   const auto tables = residualTables(replay, {with.expected, with.frames, without.expected, without.frames});
-  SizeOfTables changes;
+  std::vector<TableChange> changes;
   double most = 0.0;
-  for (const ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
+  for (ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
     const double change = changeIn(table);
-    changes[{table.measurand, table.component}] = change;
     most = std::max(most, change);
+    changes.push_back({std::move(table), change});
   }
-  std::erase_if(changes, [&](const auto& change) { return change.second < kChanges * most || change.second == 0.0; });
+  std::erase_if(changes,
+                [&](const TableChange& change) { return change.size < kChanges * most || change.size == 0.0; });
   return whereRows(replay, without.by_beam, without.expected, changes);
 }
 
