@@ -201,6 +201,11 @@ class Effect {
   [[nodiscard]] virtual bool changesReceiver() const { return false; }
   virtual void receive(const Beam&, Receiver&) const {}
 
+  /// Variance of a beam's noise beyond what `prepare` gave all of them; may be negative. Of an effect that changes no
+  /// more of the receiver than that. [W²]
+  [[nodiscard]] virtual bool addsNoise() const { return false; }
+  [[nodiscard]] virtual double addedNoise_w2(const BeamView&) const { return 0.0; }
+
   // --- echoes
   /// Changes an echo before noise is added. `receiver` is the one of this beam.
   [[nodiscard]] virtual bool changesEchoes() const { return false; }

@@ -12,13 +12,14 @@ namespace model {
 namespace {
 
 /// Power over the level that it must exceed, and the noisy peak.
-FIDELIS_FOR_EVERY_PROCESSOR void ratiosOf(std::size_t count, double threshold_w, double noise_stddev_w,
-                                          const double* __restrict power_w, const double* __restrict gain,
-                                          const float* __restrict noise, double* __restrict ratio,
-                                          double* __restrict peak_w, double* __restrict log_argument) {
+FIDELIS_FOR_EVERY_PROCESSOR void ratiosOf(std::size_t count, double threshold_w,
+                                          const double* __restrict noise_stddev_w, const double* __restrict power_w,
+                                          const double* __restrict gain, const float* __restrict noise,
+                                          double* __restrict ratio, double* __restrict peak_w,
+                                          double* __restrict log_argument) {
   const double most_w = kLargestNoise * threshold_w;
   for (std::size_t i = 0; i < count; ++i) {
-    const double drawn_w = noise_stddev_w * static_cast<double>(noise[i]);
+    const double drawn_w = noise_stddev_w[i] * static_cast<double>(noise[i]);
     const double noise_w = drawn_w < most_w ? drawn_w : most_w;
     peak_w[i] = gain[i] * power_w[i];
     ratio[i] = peak_w[i] / (threshold_w - noise_w);
@@ -68,7 +69,7 @@ std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const
                              const ShotNoise& noise) {
   double ratio = 0.0, log = 0.0;
   Echo echo;
-  ratiosOf(1, receiver.threshold_w, receiver.noise_w, &pulse.power_w, &gain, &noise.power, &ratio, &echo.peak_w, &log);
+  ratiosOf(1, receiver.threshold_w, &receiver.noise_w, &pulse.power_w, &gain, &noise.power, &ratio, &echo.peak_w, &log);
   if (!(ratio > 1.0)) return std::nullopt;
   core::log2Of(std::span(&log, 1), std::span(&log, 1));
   widthsOf(1, widthOf_m(settings), edgeOf(settings), &log, &pulse.range_m, &echo.range_m, &echo.epw_m);
@@ -80,9 +81,8 @@ void LonePulses::fire(const ChainSettings& settings, const core::Random::Key& fr
   for (auto* column : {&ratio_, &log_, &range_m_, &epw_m_, &peak_w_}) column->resize(count);
   for (auto& column : noise_) column.resize(count);
   core::normalsOf(frame, beam_, 0, {noise_[0], noise_[1], noise_[2], noise_[3]});
-  const Receiver& receiver = settings.receiver;
-  ratiosOf(count, receiver.threshold_w, receiver.noise_w, power_w_.data(), gain.data(), noise_[0].data(), ratio_.data(),
-           peak_w_.data(), log_.data());
+  ratiosOf(count, settings.receiver.threshold_w, noise_w_.data(), power_w_.data(), gain.data(), noise_[0].data(),
+           ratio_.data(), peak_w_.data(), log_.data());
   core::log2Of(log_, log_);
   widthsOf(count, widthOf_m(settings), edgeOf(settings), log_.data(), pulse_range_m_.data(), range_m_.data(),
            epw_m_.data());

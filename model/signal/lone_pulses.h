@@ -20,9 +20,12 @@ class LonePulses {
     beam_.clear();
     pulse_range_m_.clear();
     power_w_.clear();
+    noise_w_.clear();
   }
-  void add(std::uint32_t beam, const Pulse& pulse) {
+  /// `noise_w`: standard deviation of this beam's receiver.
+  void add(std::uint32_t beam, const Pulse& pulse, double noise_w) {
     beam_.push_back(beam);
+    noise_w_.push_back(noise_w);
     pulse_range_m_.push_back(pulse.range_m);
     power_w_.push_back(pulse.power_w);
   }
@@ -51,7 +54,7 @@ class LonePulses {
 
  private:
   std::vector<std::uint32_t> beam_;
-  std::vector<double> pulse_range_m_, power_w_;
+  std::vector<double> pulse_range_m_, power_w_, noise_w_;
   std::vector<double> ratio_, log_, range_m_, epw_m_, peak_w_;
   std::vector<float> noise_[4];
 };

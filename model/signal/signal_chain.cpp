@@ -121,6 +121,7 @@ SignalChain::SignalChain(const SensorProfile& sensor, const std::vector<ActiveEf
     const std::uint32_t purpose = core::purposeOf(active.name.c_str());
     if (effect->couplesBeams()) coupling_effects_.push_back(effect);
     if (effect->changesReceiver()) receiver_effects_.push_back(effect);
+    if (effect->addsNoise()) noise_effects_.push_back(effect);
     if (effect->changesEchoes()) echo_effects_.push_back(effect);
     if (effect->disturbs()) disturbing_effects_.push_back({effect, purpose});
     if (effect->fluctuates()) fluctuating_effects_.push_back({effect, purpose});
@@ -164,9 +165,17 @@ std::vector<Pulse> SignalChain::pulsesOf(const BeamHits& geometry, std::size_t b
   return pulses.pulses;
 }
 
-Receiver SignalChain::receiverOf(const Beam& beam) const {
+double SignalChain::noiseOf_w(const BeamView& view, const Receiver& receiver) const {
+  if (noise_effects_.empty()) return receiver.noise_w;
+  double noise_w2 = receiver.noise_w * receiver.noise_w;
+  for (const Effect* effect : noise_effects_) noise_w2 += effect->addedNoise_w2(view);
+  return std::sqrt(std::max(0.0, noise_w2));
+}
+
+Receiver SignalChain::receiverOf(const BeamView& view) const {
   Receiver receiver = settings_.receiver;
-  for (const Effect* effect : receiver_effects_) effect->receive(beam, receiver);
+  for (const Effect* effect : receiver_effects_) effect->receive(view.beam, receiver);
+  receiver.noise_w = noiseOf_w(view, receiver);
   return receiver;
 }
 
@@ -288,7 +297,7 @@ void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const c
 
 void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratch& scratch,
                            std::vector<Shot>& out) const {
-  const Receiver receiver = receiverOf(beam.view.beam);
+  const Receiver receiver = receiverOf(beam.view);
   if (disturbing_effects_.empty()) {
     scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
     scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
@@ -348,12 +357,12 @@ void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, cons
     const auto index = static_cast<std::uint32_t>(first_beam + b);
     const std::span<const Pulse> of_beam = pulses.of(b);
     if (closed_form && of_beam.empty()) continue;
-    if (closed_form && of_beam.size() == 1) {
-      scratch.lone.add(index, of_beam.front());
-      continue;
-    }
     const HitsOfBeam hits = traced.hitsOf(b);
     const BeamView view = power.viewOf(traced.beams[b], hits, traced.rays);
+    if (closed_form && of_beam.size() == 1) {
+      scratch.lone.add(index, of_beam.front(), noiseOf_w(view, settings_.receiver));
+      continue;
+    }
     fireBeam({index, view, of_beam}, options, scratch, out);
   }
   fireLone(traced, options, scratch, out);
@@ -421,7 +430,7 @@ ShotRecord SignalChain::record(const BeamHits& geometry, std::size_t beam, const
   const Loaded loaded{static_cast<std::uint32_t>(beam), view, couplesBeams() ? coupled.of(beam) : std::span(pulses)};
   ShotRecord record;
   record.pulses.assign(loaded.pulses.begin(), loaded.pulses.end());
-  record.receiver = receiverOf(view.beam);
+  record.receiver = receiverOf(view);
   Scratch scratch;
   scratch.of_shot = record.pulses;
   scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(record.receiver));

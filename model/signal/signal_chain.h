@@ -97,7 +97,9 @@ class SignalChain {
                 ShotRecord* record) const;
   void listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
                 const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
-  [[nodiscard]] Receiver receiverOf(const Beam& beam) const;
+  [[nodiscard]] Receiver receiverOf(const BeamView& view) const;
+  /// Standard deviation of a beam's noise, that of its receiver given.
+  [[nodiscard]] double noiseOf_w(const BeamView& view, const Receiver& receiver) const;
   [[nodiscard]] double lowestLevel(const Receiver& receiver) const;
   [[nodiscard]] Pulses coupledPulses(const BeamHits& geometry, const PowerStage& power) const;
   void fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
@@ -112,6 +114,7 @@ class SignalChain {
   std::vector<const Effect*> all_effects_;
   std::vector<const Effect*> coupling_effects_;
   std::vector<const Effect*> receiver_effects_;
+  std::vector<const Effect*> noise_effects_;
   std::vector<const Effect*> echo_effects_;
   std::vector<Drawing> disturbing_effects_;
   std::vector<Drawing> fluctuating_effects_;

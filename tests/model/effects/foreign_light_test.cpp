@@ -94,6 +94,30 @@ double aureole(double angle_rad) {
   return 9e-6 * 0.1 / (4 * std::numbers::pi) * 0.51 / std::pow(1.49 - 1.4 * std::cos(angle_rad), 1.5);
 }
 
+/// Noise of a sensor that has none of its own, before a board of this reflectivity across all of a beam. [W²]
+double noise2Before(double reflectivity) {
+  lab::Case setup = lab::boardWith(20, "background-light", {{"irradiance_w_m2_nm", 0.5}});
+  setup.sensor["receiver"]["noise_w"] = 0.0;
+  setup.materials["grey"]["reflectivity"] = reflectivity;
+  return std::pow(lab::ShotBench(setup).shot().receiver.noise_w, 2);
+}
+
+// P_b = E Δλ ρ/π A_r Ω η with 20 nm, and 3 mrad × 3 mrad in view.
+TEST(BackgroundLight, ASurfaceSendsAsMuchLightAsItIsBright) {
+  for (const double reflectivity : {0.1, 0.4, 0.9}) {
+    const double light_w = 0.5 * 20.0 * reflectivity / std::numbers::pi * 9e-6 * kCatch_m2;
+    EXPECT_NEAR(noise2Before(reflectivity) / shotNoise_w2(light_w), 1.0, 1e-6) << reflectivity;
+  }
+}
+
+// The outer beams of the fan see the sky, which is as bright as a surface that throws back a tenth.
+TEST(BackgroundLight, TheSkyIsDarkerThanTheGround) {
+  lab::Case setup = fan("background-light", {{"irradiance_w_m2_nm", 0.5}});
+  setup.sensor["receiver"]["noise_w"] = 0.0;
+  const lab::ShotBench bench(setup);
+  EXPECT_NEAR(std::pow(bench.shot(0, 0).receiver.noise_w, 2) / noise2Before(0.1), 1.0, 1e-6);
+}
+
 // The sun has a radius of 4.65 mrad; a field of view of 3 mrad × 3 mrad sees 9e-6 sr of it, or nothing.
 TEST(BackgroundLight, SunDazzlesTheBeamsThatLookAtIt) {
   const double scene = noise2({{"irradiance_w_m2_nm", 0.5}});
