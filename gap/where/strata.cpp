@@ -254,6 +254,7 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
       if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(table, covariate);
       if (!stratum) continue;
       WhereRow row = rowOf(table, gaps, covariate, *stratum);
+      if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
       const auto tried = static_cast<double>(stratum->tried * covariates.size() * tables.size());
       row.p_value = std::min(1.0, row.p_value * tried);
       result.push_back(std::move(row));
