@@ -20,23 +20,28 @@ constexpr double kSomewhere = 0.05;      // lift: what a cause changes less unev
 
 using Row = ResidualTable::Row;
 
-/// What a row adds to the gap of its table: what its noise does not explain; or, where echoes are so few that no single
-/// cell shows them, what it counts, with its sign, so that noise averages out.
+/// The gap of a table, and what a row adds to it: what its noise does not explain; or, where echoes are so few that no
+/// single cell shows them, what it counts, with its sign, so that noise averages out. The table outlives it.
 class GapOfRows {
  public:
-  explicit GapOfRows(const ResidualTable& table) : all_(table.sumBeyondErrors()) {
+  explicit GapOfRows(const ResidualTable& table) : table_(table), all_(table.sumBeyondErrors()) {
+    for (const Row& row : table.rows) weight_ += row.weight;
     if (all_ > 0.0) return;
-    sign_ = table.sign();
+    count_sign_ = table.sign();
     for (const Row& row : table.rows) all_ += of(row);
   }
+  [[nodiscard]] const ResidualTable& table() const { return table_; }
   [[nodiscard]] double of(const Row& row) const {
-    return row.weight * (sign_ == 0.0 ? row.beyondError() : sign_ * row.value);
+    return row.weight * (count_sign_ == 0.0 ? row.beyondError() : count_sign_ * row.value);
   }
   [[nodiscard]] double all() const { return all_; }
+  [[nodiscard]] double weight() const { return weight_; }  ///< of all rows
 
  private:
-  double sign_ = 0.0;
+  const ResidualTable& table_;
+  double count_sign_ = 0.0;
   double all_;
+  double weight_ = 0.0;
 };
 
 /// A group of rows with adjacent values (or one name).
@@ -111,8 +116,10 @@ struct Best {
 };
 
 /// The run of groups whose share of the gap exceeds its share of the data most; of names only such that deviate the
-/// same way, for what one is too long and another too short has no size. `sign`: of its mean residual; 0: any.
-Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight, bool prefixes_only, double sign) {
+/// same way, for what one is too long and another too short has no size. Its mean residual has the sign of the table,
+/// if that has one.
+Best bestRun(const std::vector<Group>& groups, const GapOfRows& gaps, bool prefixes_only) {
+  const double sign = gaps.table().sign();
   Best best;
   for (std::size_t first = 0; first < (prefixes_only ? 1 : groups.size()); ++first) {
     Group joint;
@@ -123,7 +130,7 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
       joint.high = groups[last].high;
       if (last - first + 1 == groups.size()) break;  // everything is no stratum
       ++best.tried;
-      const double lift = joint.gap / all_gap - joint.weight / all_weight;
+      const double lift = joint.gap / gaps.all() - joint.weight / gaps.weight();
       if (sign * joint.value >= 0.0 && lift > best.lift + 1e-12) {
         const std::size_t tried = best.tried;
         best = {joint, first, last, lift, tried};
@@ -135,26 +142,19 @@ Best bestRun(const std::vector<Group>& groups, double all_gap, double all_weight
 
 /// What a run of a few groups holds may lie in a part of them, as a false target in two beams does: the run is cut once
 /// more, as all data were.
-Best narrowed(Best best, const std::vector<Row>& rows, const Covariate& covariate, const GapOfRows& gaps,
-              double all_weight, double sign) {
+Best narrowed(Best best, const Covariate& covariate, const GapOfRows& gaps) {
   std::vector<Row> inside;
-  for (const Row& row : rows) {
+  for (const Row& row : gaps.table().rows) {
     const double x = covariate.number(row);
     if (x >= best.joint.low && x <= best.joint.high) inside.push_back(row);
   }
   const std::vector<Group> groups = numericGroups(inside, covariate, gaps);
   if (groups.size() < 2) return best;
-  Best part = bestRun(groups, gaps.all(), all_weight, false, sign);
+  Best part = bestRun(groups, gaps, false);
   const std::size_t tried = best.tried + part.tried;
   if (part.lift > best.lift) best = std::move(part);
   best.tried = tried;
   return best;
-}
-
-double weightOf(const ResidualTable& table) {
-  double weight = 0.0;
-  for (const Row& row : table.rows) weight += row.weight;
-  return weight;
 }
 
 /// Of one covariate: an interval or names.
@@ -172,17 +172,14 @@ struct Stratum {
 };
 
 /// That which exceeds its share of the data most, if any does.
-std::optional<Stratum> stratumOf(const ResidualTable& table, const Covariate& covariate) {
-  const GapOfRows gaps(table);
+std::optional<Stratum> stratumOf(const GapOfRows& gaps, const Covariate& covariate) {
   if (gaps.all() <= 0.0) return std::nullopt;
-  const double all_weight = weightOf(table);
-  const auto groups =
-      covariate.numeric ? numericGroups(table.rows, covariate, gaps) : namedGroups(table.rows, covariate, gaps);
+  const std::vector<Row>& rows = gaps.table().rows;
+  const auto groups = covariate.numeric ? numericGroups(rows, covariate, gaps) : namedGroups(rows, covariate, gaps);
   if (groups.size() < 2) return std::nullopt;
-  Best best = bestRun(groups, gaps.all(), all_weight, !covariate.numeric, table.sign());
+  Best best = bestRun(groups, gaps, !covariate.numeric);
   if (best.lift <= 0.0) return std::nullopt;
-  if (covariate.numeric && best.last - best.first < kFewGroups)
-    best = narrowed(std::move(best), table.rows, covariate, gaps, all_weight, table.sign());
+  if (covariate.numeric && best.last - best.first < kFewGroups) best = narrowed(std::move(best), covariate, gaps);
   Stratum stratum{best.joint.low, best.joint.high, {}, best.lift, best.tried};
   if (!covariate.numeric) {
     for (std::size_t g = best.first; g <= best.last; ++g) stratum.names.push_back(groups[g].name);
@@ -199,15 +196,6 @@ const TableChange* changeOf(const std::vector<TableChange>& changes, const std::
   return found == changes.end() ? nullptr : &*found;
 }
 
-/// What a cause changes, as a table whose gap is all of it: both worlds have the same noise.
-ResidualTable withoutNoise(ResidualTable change) {
-  for (Row& row : change.rows) {
-    row.error = 0.0;
-    if (change.sign() * row.value < 0.0) row.value = 0.0;
-  }
-  return change;
-}
-
 /// Covariates that a person thinks in first; they win where two tell the same story.
 double readability(const std::string& covariate) {
   if (covariate == "time_s" || covariate == "setup" || covariate == "epw_m" || covariate == "intensity") return 0.85;
@@ -216,7 +204,8 @@ double readability(const std::string& covariate) {
 }
 
 /// What a stratum holds of a table; its p-value is that of one stratum.
-WhereRow rowOf(const ResidualTable& table, const GapOfRows& gaps, const Covariate& covariate, const Stratum& stratum) {
+WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum& stratum) {
+  const ResidualTable& table = gaps.table();
   Group joint;
   for (const Row& row : table.rows)
     if (stratum.holds(row, covariate)) joint.add(row, gaps);
@@ -231,7 +220,7 @@ WhereRow rowOf(const ResidualTable& table, const GapOfRows& gaps, const Covariat
   row.value = joint.weight > 0.0 ? joint.value / joint.weight : 0.0;
   row.unit = table.unit;
   row.share = std::clamp(joint.gap / gaps.all(), 0.0, 1.0);
-  row.size = joint.weight / weightOf(table);
+  row.size = joint.weight / gaps.weight();
   row.p_value = 2.0 * upperTail(std::abs(joint.value) / std::sqrt(std::max(1e-300, joint.variance)));
   row.score = stratum.lift * readability(covariate.name);
   return row;
@@ -248,12 +237,12 @@ std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<Residual
     const TableChange* change = changeOf(changes, table.measurand, table.component);
     const bool small = std::max(table.excess(), table.commonShift()) < kSmallestExcess;
     if (gaps.all() <= 0.0 || (small && !change)) continue;
-    const std::optional<ResidualTable> acts = change ? std::optional(withoutNoise(change->table)) : std::nullopt;
+    const std::optional<GapOfRows> changed = change ? std::optional<GapOfRows>(change->table) : std::nullopt;
     for (const Covariate& covariate : covariates) {
-      std::optional<Stratum> stratum = acts ? stratumOf(*acts, covariate) : std::nullopt;
-      if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(table, covariate);
+      std::optional<Stratum> stratum = changed ? stratumOf(*changed, covariate) : std::nullopt;
+      if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(gaps, covariate);
       if (!stratum) continue;
-      WhereRow row = rowOf(table, gaps, covariate, *stratum);
+      WhereRow row = rowOf(gaps, covariate, *stratum);
       if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
       const auto tried = static_cast<double>(stratum->tried * covariates.size() * tables.size());
       row.p_value = std::min(1.0, row.p_value * tried);

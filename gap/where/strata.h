@@ -26,8 +26,8 @@ struct WhereRow {
   [[nodiscard]] bool mayBeChance() const { return p_value > 1e-3; }
 };
 
-/// What a cause changes in a table: the residuals of a world that lacks it against one that has it, and how far that
-/// is.
+/// What a cause changes in a table, and how far that is: the residuals, free of noise, of a world that lacks the cause
+/// against one that has it.
 struct TableChange {
   ResidualTable table;
   double size = 0.0;

@@ -50,6 +50,15 @@ double changeIn(const ResidualTable& table) {
   return sum;
 }
 
+/// Of two worlds under the same noise: all that differs is a residual, but for what its component does not count.
+ResidualTable withoutNoise(ResidualTable change) {
+  for (ResidualTable::Row& row : change.rows) {
+    row.error = 0.0;
+    if (change.sign() * row.value < 0.0) row.value = 0.0;
+  }
+  return change;
+}
+
 }  // namespace
 
 WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed) {
@@ -94,7 +103,7 @@ std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& witho
   for (ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
     const double change = changeIn(table);
     most = std::max(most, change);
-    changes.push_back({std::move(table), change});
+    changes.push_back({withoutNoise(std::move(table)), change});
   }
   std::erase_if(changes,
                 [&](const TableChange& change) { return change.size < kChanges * most || change.size == 0.0; });
