@@ -53,9 +53,8 @@ struct Exchange {
 };
 
 ResidualTable* find(std::vector<ResidualTable>& tables, const std::string& measurand, const std::string& component) {
-  const auto table = std::find_if(tables.begin(), tables.end(), [&](const ResidualTable& t) {
-    return t.measurand == measurand && t.component == component;
-  });
+  const auto table =
+      std::find_if(tables.begin(), tables.end(), [&](const ResidualTable& t) { return t.isOf(measurand, component); });
   return table == tables.end() ? nullptr : &*table;
 }
 

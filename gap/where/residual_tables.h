@@ -30,6 +30,9 @@ struct ResidualTable {
       1.0;  ///< one step of the total gap in this unit: the resolution; for existence a hundredth of the echoes
   std::vector<Row> rows;
 
+  [[nodiscard]] bool isOf(const std::string& of_measurand, const std::string& of_component) const {
+    return measurand == of_measurand && component == of_component;
+  }
   /// Of what the component counts: missing echoes are residuals below 0, extra ones above; 0: of any sign.
   [[nodiscard]] double sign() const;
   /// Of the residuals, each beyond its error and with its weight.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -188,10 +189,9 @@ std::optional<Stratum> stratumOf(const GapOfRows& gaps, const Covariate& covaria
   return stratum;
 }
 
-const TableChange* changeOf(const std::vector<TableChange>& changes, const std::string& measurand,
-                            const std::string& component) {
+const TableChange* changeOf(const std::vector<TableChange>& changes, const ResidualTable& table) {
   const auto found = std::find_if(changes.begin(), changes.end(), [&](const TableChange& change) {
-    return change.table.measurand == measurand && change.table.component == component;
+    return change.table.isOf(table.measurand, table.component);
   });
   return found == changes.end() ? nullptr : &*found;
 }
@@ -226,49 +226,57 @@ WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum&
   return row;
 }
 
+/// The rows of a table, best first, with what puts the table before others.
+struct Ranked {
+  double changed = 0.0;  ///< what a cause changes in the table
+  double gap = 0.0;      ///< of the table, if it may not be chance
+  std::vector<WhereRow> rows;
+
+  [[nodiscard]] bool before(const Ranked& other) const {
+    if (changed != other.changed) return changed > other.changed;
+    if (gap != other.gap) return gap > other.gap;
+    return rows.front().score > other.rows.front().score;
+  }
+};
+
+/// Of every covariate the best stratum; p-values are corrected for so many tables. No rows where nothing is to be told.
+Ranked rankedRows(const ResidualTable& table, const TableChange* change, const std::vector<Covariate>& covariates,
+                  std::size_t tables) {
+  const GapOfRows gaps(table);
+  const double size = std::max(table.excess(), table.commonShift());
+  Ranked ranked{change ? change->size : 0.0, 0.0, {}};
+  if (gaps.all() <= 0.0 || (size < kSmallestExcess && !change)) return ranked;
+  const std::optional<GapOfRows> changed = change ? std::optional<GapOfRows>(change->table) : std::nullopt;
+  for (const Covariate& covariate : covariates) {
+    std::optional<Stratum> stratum = changed ? stratumOf(*changed, covariate) : std::nullopt;
+    if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(gaps, covariate);
+    if (!stratum) continue;
+    WhereRow row = rowOf(gaps, covariate, *stratum);
+    if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
+    row.p_value = std::min(1.0, row.p_value * static_cast<double>(stratum->tried * covariates.size() * tables));
+    if (!row.mayBeChance()) ranked.gap = size;
+    ranked.rows.push_back(std::move(row));
+  }
+  std::stable_sort(ranked.rows.begin(), ranked.rows.end(), [](const WhereRow& a, const WhereRow& b) {
+    return a.mayBeChance() != b.mayBeChance() ? b.mayBeChance() : a.score > b.score;
+  });
+  return ranked;
+}
+
 }  // namespace
 
 std::vector<WhereRow> whereRows(const Replay& replay, const std::vector<ResidualTable>& tables,
                                 const CellsOfSamples& expected, const std::vector<TableChange>& changes) {
   const std::vector<Covariate> covariates = covariatesOf(replay, expected);
+  std::vector<Ranked> ranked;
+  for (const ResidualTable& table : tables) {
+    ranked.push_back(rankedRows(table, changeOf(changes, table), covariates, tables.size()));
+    if (ranked.back().rows.empty()) ranked.pop_back();
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.before(b); });
   std::vector<WhereRow> result;
-  for (const ResidualTable& table : tables) {
-    const GapOfRows gaps(table);
-    const TableChange* change = changeOf(changes, table.measurand, table.component);
-    const bool small = std::max(table.excess(), table.commonShift()) < kSmallestExcess;
-    if (gaps.all() <= 0.0 || (small && !change)) continue;
-    const std::optional<GapOfRows> changed = change ? std::optional<GapOfRows>(change->table) : std::nullopt;
-    for (const Covariate& covariate : covariates) {
-      std::optional<Stratum> stratum = changed ? stratumOf(*changed, covariate) : std::nullopt;
-      if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(gaps, covariate);
-      if (!stratum) continue;
-      WhereRow row = rowOf(gaps, covariate, *stratum);
-      if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
-      const auto tried = static_cast<double>(stratum->tried * covariates.size() * tables.size());
-      row.p_value = std::min(1.0, row.p_value * tried);
-      result.push_back(std::move(row));
-    }
-  }
-  // The measurand with the largest gap first; within it the stratum that concentrates it most, what may be noise last.
-  std::map<std::pair<std::string, std::string>, double> largest;
-  for (const ResidualTable& table : tables) {
-    const bool significant = std::any_of(result.begin(), result.end(), [&](const WhereRow& row) {
-      return row.measurand == table.measurand && row.component == table.component && !row.mayBeChance();
-    });
-    largest[{table.measurand, table.component}] = significant ? std::max(table.excess(), table.commonShift()) : 0.0;
-  }
-  const auto changedIn = [&](const WhereRow& row) {
-    const TableChange* change = changeOf(changes, row.measurand, row.component);
-    return change ? change->size : 0.0;
-  };
-  std::stable_sort(result.begin(), result.end(), [&](const WhereRow& a, const WhereRow& b) {
-    const double changes_a = changedIn(a), changes_b = changedIn(b);
-    const double excess_a = largest[{a.measurand, a.component}], excess_b = largest[{b.measurand, b.component}];
-    const bool sure_a = !a.mayBeChance(), sure_b = !b.mayBeChance();
-    if (changes_a != changes_b) return changes_a > changes_b;
-    if (excess_a != excess_b) return excess_a > excess_b;
-    return sure_a != sure_b ? sure_a : a.score > b.score;
-  });
+  for (Ranked& table : ranked)
+    result.insert(result.end(), std::make_move_iterator(table.rows.begin()), std::make_move_iterator(table.rows.end()));
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/distance/discrepancy.h"
 #include "gap/distance/settle.h"
 #include "gap/where/moved_echoes.h"
 
@@ -40,13 +39,15 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
   return shots > 0.0 ? std::max(0.0, more / shots) : 0.0;
 }
 
-/// How far a cause changes a table, in nats: residuals in standard errors, summed as a discrepancy is. So a step or two
-/// in every beam is more than metres in a few, where two echoes are one or two by a hair. Of existence only the sign
-/// that the component has: what may be noise stands in both.
-double changeIn(const ResidualTable& table) {
+/// How far a cause changes a table: the residuals in standard errors, each for the echoes of a shot that it concerns
+/// and by the loss of Cauchy's distribution, log(1 + z²/2), which hardly grows with what is far out already. So a step
+/// or two in every beam is more than metres in a few, where two echoes are one or two by a hair. Of existence only the
+/// sign that the component has: what may be noise stands in both.
+double changeIn(const ResidualTable& table, const std::vector<int>& frames) {
   double sum = 0.0;
   for (const ResidualTable::Row& row : table.rows)
-    if (row.error > 0.0 && table.sign() * row.value >= 0.0) sum += robustLoss(row.value / row.error);
+    if (row.error > 0.0 && table.sign() * row.value >= 0.0)
+      sum += row.weight / frames[row.sample] * std::log1p(0.5 * std::pow(row.value / row.error, 2.0));
   return sum;
 }
 
@@ -89,7 +90,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   }
   for (const WhereRow& row : result.rows) {
     for (const ResidualTable& table : result.tables) {
-      if (table.measurand != row.measurand || table.component != row.component || row.mayBeChance()) continue;
+      if (!table.isOf(row.measurand, row.component) || row.mayBeChance()) continue;
       result.largest_steps = std::max(result.largest_steps, std::abs(row.value) / table.scale);
     }
   }
@@ -101,7 +102,7 @@ std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& witho
   std::vector<TableChange> changes;
   double most = 0.0;
   for (ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
-    const double change = changeIn(table);
+    const double change = changeIn(table, with.frames);
     most = std::max(most, change);
     changes.push_back({withoutNoise(std::move(table)), change});
   }

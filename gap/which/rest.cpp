@@ -131,7 +131,7 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
   Sums sums;
   for (const ResidualTable& table : after.tables) {
     const auto as_it_was = std::find_if(before.tables.begin(), before.tables.end(), [&](const ResidualTable& t) {
-      return t.measurand == table.measurand && t.component == table.component;
+      return t.isOf(table.measurand, table.component);
     });
     if (as_it_was == before.tables.end()) continue;
     const double floor = std::max(kFloor * medianSize(*as_it_was), 1e-12);

@@ -96,9 +96,10 @@ TEST(Where, AStratumEndsWhereTheNamedCauseDoes) {
   EXPECT_NEAR(sector->high, 3.0, 1.0);
 }
 
-// Where a pane and a board behind it are one echo or two by a hair, ranges of one beam may scatter without bounds (by a
-// kilometre here); the same cause makes every intensity a step larger. It is the intensity that it acts on.
-TEST(Where, AStepInEveryBeamComesBeforeMetresInOne) {
+/// The first row once a cause is named that makes every intensity a step larger, and does something else to the first
+/// surface.
+template <class Change>
+gap::WhereRow firstRowBeside(Change change) {
   const test_support::SmallWorld world;
   const auto model = test_support::SmallWorld::modelWith({});
   const auto truth = test_support::SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.05}}}});
@@ -113,12 +114,30 @@ TEST(Where, AStepInEveryBeamComesBeforeMetresInOne) {
       cell.sum_of_squares[gap::kIntensity] += 2.0 * more * before + cell.count * more * more;
     }
   }
-  gap::CellStatistics& merging = with.expected.front().front();
-  ASSERT_GE(merging.count, 5.0);
-  merging.sum_of_squares[gap::kRange] += merging.count * 1e6;
+  change(with.expected.front().front());
   const std::vector<gap::WhereRow> rows = gap::rowsOfCause(replay, without, with);
-  ASSERT_FALSE(rows.empty());
-  EXPECT_EQ(rows.front().measurand, "intensity");
+  return rows.empty() ? gap::WhereRow{} : rows.front();
+}
+
+// Where a pane and a board behind it are one echo or two by a hair, ranges of one beam may scatter without bounds (by a
+// kilometre here). It is the intensity that the cause acts on.
+TEST(Where, AStepInEveryBeamComesBeforeAScatterOfMetresInOne) {
+  const gap::WhereRow first = firstRowBeside([](gap::CellStatistics& merging) {
+    ASSERT_GE(merging.count, 5.0);
+    merging.sum_of_squares[gap::kRange] += merging.count * 1e6;
+  });
+  EXPECT_EQ(first.measurand, "intensity");
+}
+
+// A false target takes the place of one beam's echo, a kilometre away from it: no noise, but one beam.
+TEST(Where, AStepInEveryBeamComesBeforeAMoveOfMetresInOne) {
+  const gap::WhereRow first = firstRowBeside([](gap::CellStatistics& moved) {
+    ASSERT_GE(moved.count, 5.0);
+    const double further_m = 1000.0;
+    moved.sum_of_squares[gap::kRange] += 2.0 * further_m * moved.sum[gap::kRange] + moved.count * further_m * further_m;
+    moved.sum[gap::kRange] += moved.count * further_m;
+  });
+  EXPECT_EQ(first.measurand, "intensity");
 }
 
 // One false echo in five hundred shots: no cell has more than noise may give it, all of them together have.
