@@ -62,6 +62,8 @@ void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
   hypothesis.seen_in_values = true;
 }
 
+constexpr auto kCloud = "exhaust-cloud";
+
 /// A cloud may hang anywhere in front of the sensor, at its height.
 void placeCloud(Hypothesis& hypothesis) {
   const auto inner = hypothesis.apply;
@@ -189,12 +191,13 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
     if (hasSubject(replay, entry, info.fitted)) {
       list.push_back(effectHypothesis(info, info.fitted, ""));
       orderSector(list.back());
-      if (info.name == "exhaust-cloud") placeCloud(list.back());
+      if (info.name == kCloud) placeCloud(list.back());
     }
     for (const model::FittedForm& form : info.other_forms) {
       if (!hasSubject(replay, entry, form.parameters)) continue;
       list.push_back(effectHypothesis(info, form.parameters, form.name));
       list.back().costly = form.costly;
+      if (info.name == kCloud) placeCloud(list.back());
     }
   }
 }

@@ -1,19 +1,25 @@
 #include "gap/causes/starts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "core/physics.h"
+#include "model/extinction.h"
 
 namespace gap {
 
 namespace {
 
-constexpr std::size_t kMostStrata = 4;                           // of azimuth, and of range
-constexpr double kStrengths[] = {0.002, 0.01, 0.04, 0.15, 0.6};  // how strong the cause is there, the map does not say
-constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};        // of a cloud in a direction
-constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};       // of the echo separation: within it two echoes are one
+constexpr std::size_t kMostStrata = 4;  // of azimuth, and of range
+// How strong the cause is there, the map does not say: shares of the plausible range, and of its logarithm.
+constexpr std::array kStrengths = {0.002, 0.01, 0.04, 0.15, 0.6};
+constexpr std::array kLogStrengths = {0.05, 0.2, 0.35, 0.5, 0.65};
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};  // of a cloud in a direction
+constexpr double kVisibilities_m[] = {30.0, 60.0, 120.0, 240.0, 480.0, 960.0};
+constexpr double kLidarRatios_sr[] = {12.0, 20.0, 35.0, 65.0, 120.0};  // of fogs, Hahner et al. 2021: 65
+constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};  // of the echo separation: within it two echoes are one
 
 const model::SensorProfile& sensorOf(const Replay& replay) {
   return replay.baseline().model.sensor(replay.samples().front().sample->sensor);
@@ -58,12 +64,13 @@ class Starts {
   void vary(const std::vector<std::string>& settled) {
     std::vector<std::vector<double>> varied;
     for (const auto& start : list_) {
-      for (const double share : kStrengths) {
+      for (std::size_t k = 0; k < kStrengths.size(); ++k) {
         varied.push_back(start);
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
           const FreeParameter& p = parameters_[i];
           if (std::count(settled.begin(), settled.end(), p.name) > 0) continue;
-          varied.back()[i] = p.logarithmic ? p.low * std::pow(p.high / p.low, share) : p.low + share * (p.high - p.low);
+          varied.back()[i] = p.logarithmic ? p.low * std::pow(p.high / p.low, kLogStrengths[k])
+                                           : p.low + kStrengths[k] * (p.high - p.low);
         }
       }
     }
@@ -82,6 +89,35 @@ class Starts {
   std::vector<double> typical_;
   std::vector<std::vector<double>> list_;
 };
+
+/// Fogs, thin and thick, of droplets that send back much or little: echoes of a fog are as wide as it is deep, and no
+/// small step leads from one to another that is seen as well.
+void addFogs(double wavelength_nm, Starts& starts) {
+  for (const double visibility_m : kVisibilities_m)
+    for (const double ratio_sr : kLidarRatios_sr)
+      starts.add({{"visibility_m", visibility_m},
+                  {"backscatter_1_m_sr", model::extinctionFromVisibility(visibility_m, wavelength_nm) / ratio_sr}});
+}
+
+/// Clouds in these directions, dark ones too if their albedo is free: light that is lost tells how wide they look, not
+/// how far away they are. And one where echoes came from.
+void addClouds(const std::vector<Stratum>& azimuths, double half_deg, const std::optional<UnexpectedEchoes>& extra,
+               Starts& starts) {
+  const auto add = [&](double azimuth_deg, double width_deg, double r, Starts::Setting setting) {
+    setting.emplace_back("centre_x_m", r * std::cos(azimuth_deg * core::kRadPerDeg));
+    setting.emplace_back("centre_y_m", r * std::sin(azimuth_deg * core::kRadPerDeg));
+    setting.emplace_back("size_m", r * width_deg * core::kRadPerDeg);
+    starts.add(setting);
+  };
+  for (const Stratum& a : azimuths) {
+    for (const double r : kDistances_m) {
+      add((a.low + a.high) / 2.0, a.high - a.low + 2.0 * half_deg, r, {});
+      if (starts.has("albedo")) add((a.low + a.high) / 2.0, a.high - a.low + 2.0 * half_deg, r, {{"albedo", 0.0}});
+    }
+  }
+  if (extra) add(extra->azimuth_deg, extra->width_deg, extra->range_m, {});
+  starts.vary({"centre_x_m", "centre_y_m", "size_m", "albedo"});
+}
 
 }  // namespace
 
@@ -136,24 +172,9 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     if (where.gate.opens_m) starts.add({{"from_m", *where.gate.opens_m}, {"to_m", kFar_m}});
     if (where.gate.closes_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.closes_m}});
   }
-  if (starts.has("centre_x_m") && starts.has("centre_y_m")) {
-    for (const Stratum& a : azimuths) {
-      const double azimuth_rad = (a.low + a.high) / 2.0 * core::kRadPerDeg;
-      const double width_rad = (a.high - a.low + 2.0 * half_deg) * core::kRadPerDeg;
-      for (const double r : kDistances_m) {
-        starts.add({{"centre_x_m", r * std::cos(azimuth_rad)},
-                    {"centre_y_m", r * std::sin(azimuth_rad)},
-                    {"size_m", r * width_rad}});
-      }
-    }
-    if (const auto& extra = where.unexpected) {
-      const double azimuth_rad = extra->azimuth_deg * core::kRadPerDeg;
-      starts.add({{"centre_x_m", extra->range_m * std::cos(azimuth_rad)},
-                  {"centre_y_m", extra->range_m * std::sin(azimuth_rad)},
-                  {"size_m", extra->range_m * extra->width_deg * core::kRadPerDeg}});
-    }
-    starts.vary({"centre_x_m", "centre_y_m", "size_m"});
-  }
+  if (starts.has("visibility_m") && starts.has("backscatter_1_m_sr"))
+    addFogs(sensorOf(replay).emitter.wavelength_nm, starts);
+  if (starts.has("centre_x_m") && starts.has("centre_y_m")) addClouds(azimuths, half_deg, where.unexpected, starts);
   return starts.list();
 }
 

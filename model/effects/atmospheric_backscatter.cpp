@@ -59,6 +59,7 @@ EffectEntry atmosphericBackscatter() {
                                   {"backscatter_1_m_sr", "1/(m sr)", 1e-7, 0.1, std::nullopt,
                                    "Backscatter coefficient; without it extinction over 18.8 sr", true, 1e-3}},
                    .fitted = {"visibility_m"},
+                   .other_forms = {{"of other droplets", {"visibility_m", "backscatter_1_m_sr"}, true}},
                    .source = "Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011; Hahner et al. 2021, ICCV; O'Connor et "
                              "al. 2004, J. Atmos. Oceanic Technol. 21, 777"},
           .make = makeFrom<AtmosphericBackscatter>};

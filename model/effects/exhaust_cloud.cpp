@@ -64,8 +64,9 @@ EffectEntry exhaustCloud() {
                .percollect = {"94", "141"},
                .parameters = {{"extinction_1_m", "1/m", 0.0, 10.0, 0.5, "Extinction inside the cloud", true, 0.5},
                               {"size_m", "m", 0.1, 10.0, 1.0, "Diameter of the cloud", false, 1.5},
-                              {"albedo", "", 0.0, 1.0, 0.9, "Share of the extinction that is scattering", false, 0.9}},
+                              {"albedo", "", 0.0, 1.0, 0.9, "Share of the extinction that is scattering", false, 0.25}},
                .fitted = {"extinction_1_m", "size_m"},
+               .other_forms = {{"of another albedo", {"extinction_1_m", "size_m", "albedo"}}},
                .source = "Beer–Lambert law; Bond & Bergstrom 2006, doi:10.1080/02786820500421521; Hasirlioglu et "
                          "al. 2017, IEEE Intelligent Vehicles Symposium"},
       .make = makeFrom<ExhaustCloud>,
