@@ -1,6 +1,8 @@
 #include "gap/verdict.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "gap/which/belief.h"
 
@@ -15,9 +17,16 @@ constexpr double kLeastNamed = 0.5;     // of a cause that is named because noth
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
 constexpr double kBesideFrames = 0.5;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.8;    // that nothing is missing, where nothing is seen: weak causes are not
-constexpr double kDoubtedNone = 0.4;   // the same where noise makes so large a gap in less than
-constexpr double kDoubtful = 0.01;     // of all cases: a right model hardly ever does, a weak cause often
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
+
+/// How far it is believed that nothing is missing where noise makes so large a gap with this p-value. No alternative of
+/// weak causes has a Bayes factor of the null below -e p ln p, for p < 1/e. Source: Sellke, Bayarri, Berger 2001,
+/// Calibration of p Values for Testing Precise Null Hypotheses, The American Statistician 55, 62, eq. 3.
+double beliefInNone(double p_value) {
+  if (p_value >= 1.0 / std::numbers::e) return kNoneBelief;
+  const double null_over_cause = -std::numbers::e * p_value * std::log(p_value) * kNoneBelief / (1.0 - kNoneBelief);
+  return null_over_cause / (1.0 + null_over_cause);
+}
 
 Cause toCause(const Candidate& candidate) {
   Cause cause;
@@ -145,7 +154,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
       verdict.confidence += confidenceIn(diagnosis, decision.ties().front());
   } else if (verdict.kind == VerdictKind::kNone) {
     const double p_value = judge.yardstick.p_value();
-    verdict.confidence = p_value < kDoubtful && p_value >= kSignificance ? kDoubtedNone : kNoneBelief;
+    verdict.confidence = p_value >= kSignificance ? beliefInNone(p_value) : kNoneBelief;
   } else {
     verdict.confidence = kUnknownBelief;
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;

@@ -8,17 +8,32 @@ namespace {
 
 using test_support::SmallWorld;
 
-/// What `none` is believed with where the gap stands so many standard deviations of noise above a right model's.
+/// Of a gap that stands so many standard deviations of noise above a right model's.
+gap::Yardstick yardstickAt(double z) {
+  gap::Yardstick yardstick;
+  yardstick.perfect = 100.0;
+  yardstick.perfect_spread = 10.0;
+  yardstick.baseline = 100.0 + 10.0 * z;
+  return yardstick;
+}
+
+/// Where a right model's gap is larger in this share of all cases.
+double standardDeviationsAt(double p_value) {
+  double low = 0.0, high = 10.0;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (yardstickAt(middle).p_value() > p_value ? low : high) = middle;
+  }
+  return low;
+}
+
+/// What `none` is believed with.
 double confidenceOfNone(double z) {
   const SmallWorld world;
   const auto model = SmallWorld::modelWith({});
   const auto measured = world.measuredBy(model, 0.4);
   const gap::Replay replay(measured, model);
-  gap::Yardstick yardstick;
-  yardstick.perfect = 100.0;
-  yardstick.perfect_spread = 10.0;
-  yardstick.baseline = 100.0 + 10.0 * z;
-  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstick};
+  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstickAt(z)};
   gap::Decision decision;
   decision.kind = gap::VerdictKind::kNone;
   gap::Diagnosis diagnosis;
@@ -26,12 +41,15 @@ double confidenceOfNone(double z) {
   return diagnosis.verdict.confidence;
 }
 
-// Beyond that the test of whether there is a gap has spoken: what it calls none there is too small to matter.
-TEST(Verdict, ThatNothingIsMissingIsDoubtedWhereNoiseHardlyEverMakesSuchAGap) {
-  const double sure = confidenceOfNone(0.0);
+// By how much is the bound of Sellke, Bayarri and Berger 2001. Their table 1 has a Bayes factor of 0.125 for p = 0.01
+// and of 0.407 for p = 0.05; odds of 4 to 1 were believed before. Where p < 0.001 the test of whether
+// there is a gap has spoken: what it calls none there is too small to matter.
+TEST(Verdict, ThatNothingIsMissingIsDoubtedAsMuchAsNoiseHardlyMakesSuchAGap) {
+  const double sure = 0.8;
+  EXPECT_DOUBLE_EQ(confidenceOfNone(0.0), sure);
   EXPECT_DOUBLE_EQ(confidenceOfNone(-2.0), sure);
-  EXPECT_DOUBLE_EQ(confidenceOfNone(1.5), sure);
-  EXPECT_LT(confidenceOfNone(3.0), 0.5);
+  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.05)), 4.0 * 0.407 / (1.0 + 4.0 * 0.407), 0.001);
+  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.01)), 4.0 * 0.125 / (1.0 + 4.0 * 0.125), 0.001);
   EXPECT_DOUBLE_EQ(confidenceOfNone(8.0), sure);
 }
 
