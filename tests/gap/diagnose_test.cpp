@@ -72,7 +72,8 @@ TEST(Diagnose, RecoversTheVisibilityOfAFogOfOtherDroplets) {
   const SmallWorld world;
   const auto truth =
       SmallWorld::modelWith({{"atmospheric-backscatter", {{"visibility_m", 60}, {"backscatter_1_m_sr", 0.001}}}});
-  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}));
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}),
+                                             {"atmospheric-backscatter", "atmospheric-attenuation", "exhaust-cloud"});
   EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"atmospheric-backscatter"});
   EXPECT_NEAR(numberOf(diagnosis, "visibility_m"), 60.0, 6.0);
   EXPECT_NEAR(numberOf(diagnosis, "backscatter_1_m_sr"), 0.001, 0.0001);
