@@ -6,7 +6,10 @@
 
 namespace gap {
 
-bool pairable(const Hypothesis& a, const Hypothesis& b) { return !a.per_setup && !b.per_setup && a.name != b.name; }
+bool pairable(const Hypothesis& known, const Hypothesis& added) {
+  constexpr std::size_t kMostNumbers = 4;
+  return !known.per_setup && !added.per_setup && known.name != added.name && added.parameters.size() <= kMostNumbers;
+}
 
 bool worthPairing(const std::vector<Candidate>& singles, std::size_t single) {
   constexpr std::size_t kBestAlone = 16;

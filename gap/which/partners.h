@@ -7,7 +7,9 @@
 namespace gap {
 
 /// Whether two causes may be at work together as a pair: of different names, and neither an offset of single set-ups.
-[[nodiscard]] bool pairable(const Hypothesis& a, const Hypothesis& b);
+/// What is added has four numbers at most: a form of more takes long to fit beside others, and its usual form stands
+/// for it.
+[[nodiscard]] bool pairable(const Hypothesis& known, const Hypothesis& added);
 
 /// Whether a cause, best ones first, is worth a look beside others: of those that hold on some of several sensors only
 /// the sixteen that are best alone, for all of them would take long.
