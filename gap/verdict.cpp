@@ -21,7 +21,8 @@ constexpr double kMostExplained = 10.0;  // said of a share: where there is next
 
 /// How far it is believed that nothing is missing where noise makes so large a gap with this p-value. No alternative of
 /// weak causes has a Bayes factor of the null below -e p ln p, for p < 1/e. Source: Sellke, Bayarri, Berger 2001,
-/// Calibration of p Values for Testing Precise Null Hypotheses, The American Statistician 55, 62, eq. 3.
+/// Calibration of p Values for Testing Precise Null Hypotheses, The American Statistician 55, 62-71,
+/// doi:10.1198/000313001300339950.
 double beliefInNone(double p_value) {
   if (p_value >= 1.0 / std::numbers::e) return kNoneBelief;
   const double null_over_cause = -std::numbers::e * p_value * std::log(p_value) * kNoneBelief / (1.0 - kNoneBelief);
