@@ -35,19 +35,12 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.percollect = info.percollect;
   hypothesis.decomposition_block = model::toString(info.stage);
   for (const std::string& name : fitted) hypothesis.parameters.push_back(declared(info, name));
-  const std::string effect = info.name;
-  hypothesis.apply = [effect, fitted](World& world, const std::vector<double>& values) {
-    world.model = model::withEffect(world.model, {effect, parametersOf(fitted, values), {}});
+  hypothesis.apply = [effect = info.name, fitted, parameters = hypothesis.parameters](
+                         World& world, const std::vector<double>& values) {
+    const std::vector<double> ordered = inOrder(parameters, values);  // the fit may cross the ends of a sector
+    world.model = model::withEffect(world.model, {effect, parametersOf(fitted, ordered), {}});
   };
   return hypothesis;
-}
-
-/// The fit may cross the ends of a sector.
-void orderSector(Hypothesis& hypothesis) {
-  hypothesis.apply = [inner = hypothesis.apply, parameters = hypothesis.parameters](World& world,
-                                                                                    const std::vector<double>& values) {
-    inner(world, inOrder(parameters, values));
-  };
 }
 
 /// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do. Of
@@ -61,8 +54,6 @@ void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
   step.high = comb->step + comb->uncertain;
   hypothesis.seen_in_values = true;
 }
-
-constexpr auto kCloud = "exhaust-cloud";
 
 /// A cloud may hang anywhere in front of the sensor, at its height.
 void placeCloud(Hypothesis& hypothesis) {
@@ -188,17 +179,14 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
   for (const model::EffectEntry& entry : model::allEffects()) {
     const model::EffectInfo& info = entry.info;
     if (!considered(replay, info.name, only) || info.name == kUnevenLayers) continue;
-    if (hasSubject(replay, entry, info.fitted)) {
-      list.push_back(effectHypothesis(info, info.fitted, ""));
-      orderSector(list.back());
-      if (info.name == kCloud) placeCloud(list.back());
-    }
-    for (const model::FittedForm& form : info.other_forms) {
-      if (!hasSubject(replay, entry, form.parameters)) continue;
-      list.push_back(effectHypothesis(info, form.parameters, form.name));
-      list.back().costly = form.costly;
-      if (info.name == kCloud) placeCloud(list.back());
-    }
+    const auto add = [&](const std::vector<std::string>& fitted, const std::string& variant, bool costly) {
+      if (!hasSubject(replay, entry, fitted)) return;
+      list.push_back(effectHypothesis(info, fitted, variant));
+      list.back().costly = costly;
+      if (info.name == "exhaust-cloud") placeCloud(list.back());
+    };
+    add(info.fitted, "", false);
+    for (const model::FittedForm& form : info.other_forms) add(form.parameters, form.name, form.costly);
   }
 }
 

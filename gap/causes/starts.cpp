@@ -16,9 +16,10 @@ constexpr std::size_t kMostStrata = 4;  // of azimuth, and of range
 // How strong the cause is there, the map does not say: shares of the plausible range, and of its logarithm.
 constexpr std::array kStrengths = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.6};
 constexpr std::array kLogStrengths = {0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75};
-constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};  // of a cloud in a direction
-constexpr double kVisibilities_m[] = {30.0, 60.0, 120.0, 240.0, 480.0, 960.0};
-constexpr double kLidarRatios_sr[] = {12.0, 20.0, 35.0, 65.0, 120.0};  // of fogs, Hahner et al. 2021: 65
+static_assert(kStrengths.size() == kLogStrengths.size());
+constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};                       // of a cloud in a direction
+constexpr double kVisibilities_m[] = {30.0, 60.0, 120.0, 240.0, 480.0, 960.0};  // thinner ones are hardly seen
+constexpr double kLidarRatios_sr[] = {12.0, 20.0, 35.0, 65.0, 120.0};           // of fogs, Hahner et al. 2021: 65
 constexpr double kPulls[] = {0.0, -0.25, 0.25, -0.5, 0.5};  // of the echo separation: within it two echoes are one
 
 const model::SensorProfile& sensorOf(const Replay& replay) {
@@ -110,9 +111,10 @@ void addClouds(const std::vector<Stratum>& azimuths, double half_deg, const std:
     starts.add(setting);
   };
   for (const Stratum& a : azimuths) {
+    const double middle_deg = (a.low + a.high) / 2.0, width_deg = a.high - a.low + 2.0 * half_deg;
     for (const double r : kDistances_m) {
-      add((a.low + a.high) / 2.0, a.high - a.low + 2.0 * half_deg, r, {});
-      if (starts.has("albedo")) add((a.low + a.high) / 2.0, a.high - a.low + 2.0 * half_deg, r, {{"albedo", 0.0}});
+      add(middle_deg, width_deg, r, {});
+      if (starts.has("albedo")) add(middle_deg, width_deg, r, {{"albedo", 0.0}});
     }
   }
   if (extra) add(extra->azimuth_deg, extra->width_deg, extra->range_m, {});

@@ -49,11 +49,6 @@ std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::spa
   return list;
 }
 
-void moveMean(CellStatistics& s, Channel channel, double by) {
-  s.sum_of_squares[channel] += 2.0 * by * s.sum[channel] + s.count * by * by;
-  s.sum[channel] += s.count * by;
-}
-
 /// Moves the surfaces of a sample; the received power P falls with r⁻², the echo pulse width with it as
 /// c · FWHM · sqrt(log2(P/P_th)) does (formats.md section 3).
 void move(const Replay& replay, const Offset& offset, double by) {
@@ -67,9 +62,9 @@ void move(const Replay& replay, const Offset& offset, double by) {
       if (shift_m == 0.0 || s.count == 0.0) continue;
       const double of_power = -2.0 * shift_m / sample.layout->cells()[c].anchor_m;  // relative
       const double epw_m = s.mean(kEpw);
-      moveMean(s, kRange, shift_m);
-      moveMean(s, kIntensity, of_power * s.mean(kIntensity));
-      if (epw_m > 0.1 * pulse_m) moveMean(s, kEpw, of_power * pulse_m * pulse_m / (2.0 * std::numbers::ln2 * epw_m));
+      s.moveMean(kRange, shift_m);
+      s.moveMean(kIntensity, of_power * s.mean(kIntensity));
+      if (epw_m > 0.1 * pulse_m) s.moveMean(kEpw, of_power * pulse_m * pulse_m / (2.0 * std::numbers::ln2 * epw_m));
     }
   }
 }

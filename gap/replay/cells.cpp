@@ -134,6 +134,11 @@ CellStatistics& CellStatistics::operator+=(const CellStatistics& more) {
   return *this;
 }
 
+void CellStatistics::moveMean(Channel channel, double by) {
+  sum_of_squares[channel] += 2.0 * by * sum[channel] + count * by * by;
+  sum[channel] += count * by;
+}
+
 double CellStatistics::variance(Channel channel) const {
   if (count < 2.0) return 0.0;
   return std::max(0.0, (sum_of_squares[channel] - sum[channel] * sum[channel] / count) / (count - 1.0));

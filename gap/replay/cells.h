@@ -45,6 +45,8 @@ struct CellStatistics {
   std::array<double, kChannels> sum_of_squares{};  ///< about `anchor` (range) or zero
 
   CellStatistics& operator+=(const CellStatistics& more);  ///< of cells with the same anchor
+  /// As if every value were larger by so much.
+  void moveMean(Channel channel, double by);
   [[nodiscard]] double mean(Channel channel) const { return sum[channel] / count; }
   [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
 };

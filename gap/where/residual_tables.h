@@ -30,6 +30,7 @@ struct ResidualTable {
       1.0;  ///< one step of the total gap in this unit: the resolution; for existence a hundredth of the echoes
   std::vector<Row> rows;
 
+  /// Whether it holds this component of this measurand.
   [[nodiscard]] bool isOf(const std::string& of_measurand, const std::string& of_component) const {
     return measurand == of_measurand && component == of_component;
   }

@@ -108,11 +108,7 @@ gap::WhereRow firstRowBeside(Change change) {
   const gap::WhereResult without = gap::whereIn(replay, replay.baseline(), 1);
   gap::WhereResult with = without;
   for (auto& cells : with.expected) {
-    for (gap::CellStatistics& cell : cells) {
-      const double more = replay.resolution(gap::kIntensity), before = cell.sum[gap::kIntensity];
-      cell.sum[gap::kIntensity] += cell.count * more;
-      cell.sum_of_squares[gap::kIntensity] += 2.0 * more * before + cell.count * more * more;
-    }
+    for (gap::CellStatistics& cell : cells) cell.moveMean(gap::kIntensity, replay.resolution(gap::kIntensity));
   }
   change(with.expected.front().front());
   const std::vector<gap::WhereRow> rows = gap::rowsOfCause(replay, without, with);
@@ -133,9 +129,7 @@ TEST(Where, AStepInEveryBeamComesBeforeAScatterOfMetresInOne) {
 TEST(Where, AStepInEveryBeamComesBeforeAMoveOfMetresInOne) {
   const gap::WhereRow first = firstRowBeside([](gap::CellStatistics& moved) {
     ASSERT_GE(moved.count, 5.0);
-    const double further_m = 1000.0;
-    moved.sum_of_squares[gap::kRange] += 2.0 * further_m * moved.sum[gap::kRange] + moved.count * further_m * further_m;
-    moved.sum[gap::kRange] += moved.count * further_m;
+    moved.moveMean(gap::kRange, 1000.0);
   });
   EXPECT_EQ(first.measurand, "intensity");
 }
