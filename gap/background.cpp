@@ -6,8 +6,7 @@ namespace gap {
 
 Background backgroundOf(const Replay& replay, const Split& split, const Decision& decision) {
   Background background;
-  const auto& scene = replay.experiment().json.value("scene", nlohmann::json::array());
-  for (const auto& object : scene) background.objects.push_back(object.value("id", std::string()));
+  background.objects = objectsOf(replay);
   for (const std::size_t s : split.fitted.samples) background.fitted.push_back(replay.samples()[s].sample->id);
   for (const ReplaySample& sample : replay.samples()) {
     background.frames += static_cast<std::size_t>(sample.frames);

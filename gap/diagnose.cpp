@@ -43,10 +43,15 @@ Detail onModelsGrid(Detail detail) {
   return detail;
 }
 
-/// The model file with a sensor profile in place of a profile's name, so that pointers lead into it.
-model::LidarModel withInlineSensor(const model::LidarModel& model) {
+/// The model file with a sensor profile in place of a profile's name, so that pointers lead into it, and one for each
+/// of several sensors, though one may stand for all, so that each may have causes of its own.
+model::LidarModel withInlineSensors(const model::Experiment& experiment, const model::LidarModel& model) {
   nlohmann::json json = model.json;
   model::writeOutSensors(json, model.file);
+  if (json.contains("sensor") && !experiment.sensors.empty()) {
+    for (const std::string& sensor : experiment.sensors) json["sensors"][sensor] = json["sensor"];
+    json.erase("sensor");
+  }
   return model::parseModel(json, model.file);
 }
 
@@ -67,12 +72,13 @@ World winnersWorld(const Replay& replay, const Decision& decision) {
   return decision.winner ? worldOf(replay, decision.winner->hypothesis, decision.winner->values) : replay.baseline();
 }
 
-/// The total gap with the winner added; where the gap is clear, the winner must hold on it (decision.h).
+/// The total gap with the winner added, if there is one; where the gap is clear, it must hold on it (decision.h).
 After provenOnTotal(const HeldOutGaps& gaps, const Replay& replay, bool clear, Decision& decision,
                     core::Progress& progress) {
   progress.report(0.86, "measuring how far the gap shrinks");
+  if (!decision.winner) return {};
   After after = gaps.with(winnersWorld(replay, decision), progress);
-  if (clear && decision.winner && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
+  if (clear && !holdsOnTotal(*decision.winner, after.shrink.fraction)) {
     decision.winner.reset();
     decision.kind = VerdictKind::kUnknown;
   }
@@ -148,7 +154,7 @@ std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision&
   next.parameters = replay.samples()[best].sample->parameters;
   next.sample = replay.samples()[best].sample->id;
   next.predictions = predictionsOf(replay, {replay.baseline(), a, b}, best, seed);
-  next.text = nextExperimentSentence(next, replay.samples()[best].sample->id);
+  next.text = nextExperimentSentence(next);
   return next;
 }
 
@@ -199,17 +205,18 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   core::ForwardProgress progress(watched);
   const std::uint64_t seed = options.seed.value_or(given.seed);
   const model::Experiment experiment = options.without.applied(recorded);
-  model::LidarModel model = withInlineSensor(given.external ? proxyOf(experiment, given, options.proxy) : given);
+  model::LidarModel model =
+      withInlineSensors(experiment, given.external ? proxyOf(experiment, given, options.proxy) : given);
   model.seed = seed;  // under it a foreign model is what it reported
   const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
   progress.report(0.0, "tracing the samples");
-  std::optional<Replay> all_beams(std::in_place, experiment, model, kExact, foreign);
-  const bool on_models_grid = experiment.synthetic() && !given.external &&
-                              madeOnTheModelsGrid(*all_beams, Replay(experiment, model, onModelsGrid(kExact)));
-  if (on_models_grid) all_beams.emplace(experiment, model, onModelsGrid(kExact));
-  const Replay& replay = *all_beams;
+  const Replay finely(experiment, model, kExact, foreign);
+  std::optional<Replay> on_its_grid;
+  if (experiment.synthetic() && !given.external) on_its_grid.emplace(experiment, model, onModelsGrid(kExact));
+  if (on_its_grid && !madeOnTheModelsGrid(finely, *on_its_grid)) on_its_grid.reset();
+  const Replay& replay = on_its_grid ? *on_its_grid : finely;
   const Detail few = quickDetail(experiment.samples.size());
-  std::optional<Replay> few_beams(std::in_place, experiment, model, on_models_grid ? onModelsGrid(few) : few, foreign);
+  std::optional<Replay> few_beams(std::in_place, experiment, model, on_its_grid ? onModelsGrid(few) : few, foreign);
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
   // Whoever decides, the samples that this one holds out say how far the gap shrinks.

@@ -111,19 +111,6 @@ void refuseNewKeys(const Experiment& experiment, const Sample& sample, const jso
   }
 }
 
-/// The experiment's JSON with the sample's patch applied.
-json patched(const Experiment& experiment, const Sample& sample) {
-  try {
-    json value = experiment.json.patch(sample.patch);
-    if (!sample.patch.empty()) refuseNewKeys(experiment, sample, value);
-    return value;
-  } catch (const json::exception& error) {
-    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
-                           std::string("cannot be applied: ") + error.what() + ".",
-                           "Check op, path and value of each step (RFC 6902).");
-  }
-}
-
 void applyOffsets(json& value, const Experiment& experiment, const Sample& sample, const EpistemicOffsets& offsets) {
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     const std::string& path = sample.epistemic[i].path;
@@ -253,8 +240,20 @@ Experiment readExperiment(const std::filesystem::path& path) {
   return parseExperiment(core::readJson(file), file);
 }
 
+json recordedIn(const Experiment& experiment, const Sample& sample) {
+  try {
+    json value = experiment.json.patch(sample.patch);
+    if (!sample.patch.empty()) refuseNewKeys(experiment, sample, value);
+    return value;
+  } catch (const json::exception& error) {
+    throw core::InputError({.file = experiment.file, .item = "sample '" + sample.id + "', patch"},
+                           std::string("cannot be applied: ") + error.what() + ".",
+                           "Check op, path and value of each step (RFC 6902).");
+  }
+}
+
 Situation situationOf(const Experiment& experiment, const Sample& sample, const EpistemicOffsets& offsets) {
-  json value = patched(experiment, sample);
+  json value = recordedIn(experiment, sample);
   applyOffsets(value, experiment, sample, offsets);
   core::JsonObject object(value, experiment.file);
   return readSituation(object);

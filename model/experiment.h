@@ -99,6 +99,9 @@ using EpistemicOffsets = std::vector<double>;
 /// The same for a changed JSON value of a package that lies at `file`.
 [[nodiscard]] Experiment parseExperiment(nlohmann::json json, const std::filesystem::path& file);
 
+/// The experiment's JSON with the sample's patch applied.
+[[nodiscard]] nlohmann::json recordedIn(const Experiment& experiment, const Sample& sample);
+
 /// Scene and environment of one sample, with epistemic offsets applied if any are given.
 [[nodiscard]] Situation situationOf(const Experiment& experiment, const Sample& sample,
                                     const EpistemicOffsets& offsets = {});

@@ -12,12 +12,10 @@ namespace {
 
 constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
 
-/// The number that an effect declares under this name.
-FreeParameter declared(const model::EffectInfo& info, const std::string& name) {
-  const auto p = std::find_if(info.parameters.begin(), info.parameters.end(),
-                              [&](const model::ParameterInfo& parameter) { return parameter.name == name; });
-  const double low = p->logarithmic && p->min <= 0.0 ? p->max * 1e-4 : p->min;
-  return {p->name, p->unit, low, p->max, p->logarithmic, std::clamp(p->typical, low, p->max), p->absent_at, p->whole};
+/// The number that an effect declares under this name, which it has.
+FreeParameter numberOf(const model::EffectInfo& info, const std::string& name) {
+  return declared(*std::find_if(info.parameters.begin(), info.parameters.end(),
+                                [&](const model::ParameterInfo& parameter) { return parameter.name == name; }));
 }
 
 model::EffectParameters parametersOf(const std::vector<std::string>& names, const std::vector<double>& values) {
@@ -34,7 +32,7 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.variant = variant;
   hypothesis.percollect = info.percollect;
   hypothesis.decomposition_block = model::toString(info.stage);
-  for (const std::string& name : fitted) hypothesis.parameters.push_back(declared(info, name));
+  for (const std::string& name : fitted) hypothesis.parameters.push_back(numberOf(info, name));
   hypothesis.apply = [effect = info.name, fitted, parameters = hypothesis.parameters](
                          World& world, const std::vector<double>& values) {
     const std::vector<double> ordered = inOrder(parameters, values);  // the fit may cross the ends of a sector
@@ -125,9 +123,8 @@ bool walks(const Replay& replay, const std::vector<std::string>& fitted) {
 /// Whether the scene of any sample is such.
 template <typename Condition>
 bool inAnyScene(const Replay& replay, Condition holds) {
-  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
-    return holds(model::situationOf(replay.experiment(), *sample.sample).scene);
-  });
+  return std::any_of(replay.samples().begin(), replay.samples().end(),
+                     [&](const ReplaySample& sample) { return holds(sample.scene); });
 }
 
 /// Whether anything in the scenes moves, or the sensor itself may.
@@ -161,7 +158,7 @@ bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std
   if (name == "motion-scan" || name == "latency") return moves(replay);
   if (name != "transmission" && name != "multipath") return true;
   std::vector<double> typical;
-  for (const std::string& number : fitted) typical.push_back(declared(entry.info, number).start);
+  for (const std::string& number : fitted) typical.push_back(numberOf(entry.info, number).start);
   const model::EffectParameters parameters = parametersOf(fitted, typical);
   if (name == "transmission") return hasPanes(replay, *entry.make(parameters));
   World mirroring = replay.baseline();
@@ -195,13 +192,15 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
 void addPattern(const Replay& replay, const model::EffectInfo& info, const std::vector<std::string>& seen_by,
                 const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
   std::vector<double> pattern = unevenPartOf(layerGains(replay, seen_by));
-  double squares = 0.0;
+  double squares = 0.0, seen = 0.0;
   for (double& gain : pattern) {
-    gain -= 1.0;
-    squares += gain * gain;
+    const double deviation = std::isfinite(gain) ? gain - 1.0 : 0.0;
+    squares += deviation * deviation;
+    seen += std::isfinite(gain) ? 1.0 : 0.0;
+    gain = deviation;
   }
   if (squares <= 0.0) return;
-  const double stddev = std::sqrt(squares / static_cast<double>(pattern.size()));
+  const double stddev = std::sqrt(squares / seen);
   for (double& deviation : pattern) deviation /= stddev;
   Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
   hypothesis.sensors = sensors;
@@ -226,6 +225,11 @@ void addPatterns(const Replay& replay, const std::vector<std::string>& only, std
 }
 
 }  // namespace
+
+FreeParameter declared(const model::ParameterInfo& p) {
+  const double low = p.logarithmic && p.min <= 0.0 ? p.max * 1e-4 : p.min;
+  return {p.name, p.unit, low, p.max, p.logarithmic, std::clamp(p.typical, low, p.max), p.absent_at, p.whole};
+}
 
 void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {
   addEffects(replay, only, list);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "gap/causes/kinds.h"
 #include "gap/distance/discrepancy.h"
@@ -17,10 +16,10 @@ constexpr std::size_t kMostPoses = 8;  // of objects: more of them would cost mi
 
 /// Objects that hold a notable part of the deviation, with what they hold, the most first: a wrong pose or material of
 /// any other cannot explain it.
-std::vector<std::pair<double, std::int32_t>> suspects(const Replay& replay) {
+std::vector<std::pair<double, std::string>> suspects(const Replay& replay) {
   constexpr int kFrames = 5;
   constexpr double kNotable = 0.05;
-  std::map<std::int32_t, double> deviation;
+  std::map<std::string, double> deviation;
   double all = 0.0;
   std::vector<Comparison> comparisons;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
@@ -40,21 +39,28 @@ std::vector<std::pair<double, std::int32_t>> suspects(const Replay& replay) {
         sum += std::max(
             0.0, std::abs(m.mean(channel) - x.mean(channel)) / meanError(replay, sample, c, channel, m, x) - 3.0);
       }
-      deviation[sample.layout->cells()[c].object] += sum;
+      const std::int32_t object = sample.layout->cells()[c].object;
+      if (object >= 0) deviation[sample.scene.objects[static_cast<std::size_t>(object)].id] += sum;
       all += sum;
     }
   }
-  std::vector<std::pair<double, std::int32_t>> objects;
-  for (const auto& [object, sum] : deviation) {
-    if (object >= 0 && sum >= kNotable * all) objects.emplace_back(sum, object);
+  std::vector<std::pair<double, std::string>> objects;
+  for (const std::string& object : objectsOf(replay)) {
+    const double sum = deviation[object];
+    if (sum > 0.0 && sum >= kNotable * all) objects.emplace_back(sum, object);
   }
   std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   return objects;
 }
 
-std::set<std::int32_t> firstOf(const std::vector<std::pair<double, std::int32_t>>& suspects, std::size_t most) {
-  std::set<std::int32_t> objects;
-  for (std::size_t i = 0; i < std::min(most, suspects.size()); ++i) objects.insert(suspects[i].second);
+/// In the order of the scene.
+std::vector<std::string> firstOf(const Replay& replay, const std::vector<std::pair<double, std::string>>& suspects,
+                                 std::size_t most) {
+  const auto end = suspects.begin() + static_cast<std::ptrdiff_t>(std::min(most, suspects.size()));
+  std::vector<std::string> objects = objectsOf(replay);
+  std::erase_if(objects, [&](const std::string& object) {
+    return std::none_of(suspects.begin(), end, [&](const auto& suspect) { return suspect.second == object; });
+  });
   return objects;
 }
 
@@ -76,8 +82,8 @@ std::vector<Hypothesis> hypothesesFor(const Replay& replay, const std::vector<st
   std::vector<Hypothesis> list;
   addEffectHypotheses(replay, only, list);
   const auto objects = suspects(replay);
-  addParameterHypotheses(replay, firstOf(objects, objects.size()), list);
-  addReferenceHypotheses(replay, firstOf(objects, kMostPoses), list);
+  addParameterHypotheses(replay, firstOf(replay, objects, objects.size()), list);
+  addReferenceHypotheses(replay, firstOf(replay, objects, kMostPoses), list);
   return list;
 }
 

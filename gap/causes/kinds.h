@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -14,10 +12,16 @@ namespace gap {
 /// Effects that the model lacks, on all sensors and on every part of them. `only` names those considered (empty: all).
 void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list);
 
-/// Numbers of sensor and active effects, and the reflectivity of the materials of some objects (indices in the scene).
-void addParameterHypotheses(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list);
+/// Numbers of sensor and active effects, and the reflectivity of the materials of some objects (by id).
+void addParameterHypotheses(const Replay& replay, const std::vector<std::string>& objects,
+                            std::vector<Hypothesis>& list);
 
-/// Poses of some objects, off by the same everywhere or by something else in every set-up.
-void addReferenceHypotheses(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list);
+/// Poses of some objects (by id), off by the same everywhere or by something else in every set-up. An object that has
+/// not the same number in the scenes of all samples that have it has no JSON Pointer, and is left out.
+void addReferenceHypotheses(const Replay& replay, const std::vector<std::string>& objects,
+                            std::vector<Hypothesis>& list);
+
+/// The number of an effect as it is fitted: what it declares of its plausible range.
+[[nodiscard]] FreeParameter declared(const model::ParameterInfo& info);
 
 }  // namespace gap

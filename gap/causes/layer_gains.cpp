@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/physics.h"
 #include "gap/replay/statistics.h"
@@ -64,7 +65,7 @@ std::vector<double> layerGains(const Replay& replay, const std::vector<std::stri
       if (std::isfinite(ratio) && layer < ratios.size()) ratios[layer].push_back(ratio);
     }
   }
-  std::vector<double> gains(ratios.size(), 1.0);
+  std::vector<double> gains(ratios.size(), NAN);
   for (std::size_t layer = 0; layer < ratios.size(); ++layer) {
     auto& list = ratios[layer];
     if (list.size() < kFewestCells) continue;
@@ -74,10 +75,12 @@ std::vector<double> layerGains(const Replay& replay, const std::vector<std::stri
 }
 
 std::vector<double> unevenPartOf(std::vector<double> gains) {
-  std::vector<double> logarithms;
-  for (const double gain : gains) logarithms.push_back(std::log(gain));
-  if (gains.size() < 2 || meanByChance(logarithms) > kSharedByChance) return gains;
-  const double shared = std::exp(Distribution(logarithms).mean);
+  std::vector<double> seen;
+  for (const double gain : gains) {
+    if (std::isfinite(gain)) seen.push_back(std::log(gain));
+  }
+  if (seen.empty() || (seen.size() > 1 && meanByChance(seen) > kSharedByChance)) return gains;
+  const double shared = std::exp(std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size()));
   for (double& gain : gains) gain /= shared;
   return gains;
 }

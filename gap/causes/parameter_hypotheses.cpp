@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "gap/causes/kinds.h"
 
@@ -23,6 +24,18 @@ Hypothesis modelParameter(const std::string& pointer, const FreeParameter& value
   return hypothesis;
 }
 
+/// The number of an active effect, searched up to ten times as large or small as it stands in the model.
+FreeParameter aroundRecorded(const model::ParameterInfo& info, double value) {
+  constexpr double kTimes = 10.0;
+  FreeParameter fitted = declared(info);
+  fitted.name = "value";
+  fitted.logarithmic = info.logarithmic && value > 0.0;
+  fitted.low = value > 0.0 ? std::max(info.min, value / kTimes) : info.min;
+  fitted.high = value > 0.0 ? std::min(info.max, value * kTimes) : info.max;
+  fitted.start = value;
+  return fitted;
+}
+
 void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
   const json& model = replay.baseline().model.json;
   const auto add = [&](const std::string& pointer, const char* unit, double factor) {
@@ -39,7 +52,8 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
   }
   for (const std::string& root : roots) {
     add(root + "/emitter/peak_power_w", "W", 4.0);
-    add(root + "/emitter/pulse_fwhm_ns", "ns", 3.0);
+    const bool measured_pulse = model.contains(json::json_pointer(root + "/emitter/pulse_shape"));
+    if (!measured_pulse) add(root + "/emitter/pulse_fwhm_ns", "ns", 3.0);  // a measured one brings its own width
     add(root + "/receiver/noise_w", "W", 10.0);
     add(root + "/receiver/threshold_w", "W", 5.0);
     add(root + "/detection/range_noise_m", "m", 20.0);
@@ -54,30 +68,28 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
       const auto& parameters = model::findEffect(effect.name)->info.parameters;
       const auto info =
           std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == name; });
-      if (info == parameters.end()) continue;
-      const double low = std::max(info->min, value > 0 ? value / 10 : info->min);
-      const double high = std::min(info->max, value > 0 ? value * 10 : info->max);
-      list.push_back(
-          modelParameter("/effects/" + effect.name + "/" + name, {"value", info->unit, low, high, false, value}));
+      if (info == parameters.end() || info->seed) continue;
+      list.push_back(modelParameter("/effects/" + effect.name + "/" + name, aroundRecorded(*info, value)));
     }
   }
 }
 
-void addMaterials(const Replay& replay, const std::set<std::int32_t>& objects, std::vector<Hypothesis>& list) {
-  const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
-  std::set<std::size_t> materials;
-  for (const std::int32_t object : objects) materials.insert(scene.objects[static_cast<std::size_t>(object)].material);
-  for (const std::size_t index : materials) {
-    const model::Material& material = scene.materials[index];
-    if (material.reflectivity <= 0.0) continue;
+void addMaterials(const Replay& replay, const std::vector<std::string>& objects, std::vector<Hypothesis>& list) {
+  std::map<std::string, double> reflectivities;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (const model::SceneObject& object : sample.scene.objects) {
+      const model::Material& material = sample.scene.materials[object.material];
+      const bool suspected = std::find(objects.begin(), objects.end(), object.id) != objects.end();
+      if (suspected && material.reflectivity > 0.0) reflectivities.try_emplace(material.name, material.reflectivity);
+    }
+  }
+  for (const auto& [name, recorded] : reflectivities) {
     Hypothesis hypothesis;
     hypothesis.kind = CauseKind::kParameter;
-    hypothesis.name = "/materials/" + material.name + "/reflectivity";
-    hypothesis.parameters = {{"value", "", material.reflectivity / 5.0, std::min(1.0, 5.0 * material.reflectivity),
-                              true, material.reflectivity}};
-    const std::string name = material.name;
-    hypothesis.apply = [name](World& world, const std::vector<double>& values) {
-      world.reflectivity[name] = values[0];
+    hypothesis.name = "/materials/" + name + "/reflectivity";
+    hypothesis.parameters = {{"value", "", recorded / 5.0, std::min(1.0, 5.0 * recorded), true, recorded}};
+    hypothesis.apply = [material = name](World& world, const std::vector<double>& values) {
+      world.reflectivity[material] = values[0];
     };
     list.push_back(std::move(hypothesis));
   }
@@ -85,7 +97,7 @@ void addMaterials(const Replay& replay, const std::set<std::int32_t>& objects, s
 
 }  // namespace
 
-void addParameterHypotheses(const Replay& replay, const std::set<std::int32_t>& objects,
+void addParameterHypotheses(const Replay& replay, const std::vector<std::string>& objects,
                             std::vector<Hypothesis>& list) {
   addModelParameters(replay, list);
   addMaterials(replay, objects, list);

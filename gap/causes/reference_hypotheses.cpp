@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "gap/causes/kinds.h"
 
 namespace gap {
 
 namespace {
+
+constexpr const char* kYaw = "yaw_pitch_roll_deg/0";
 
 /// A quantity that is off by the same everywhere, and one that is off by something else in every set-up.
 void addReference(const std::string& pointer, const std::string& unit, double most,
@@ -31,22 +35,43 @@ void addReference(const std::string& pointer, const std::string& unit, double mo
   list.push_back(std::move(varying));
 }
 
+/// The number of an object in the scenes; none if another has it anywhere.
+std::optional<std::size_t> numberOf(const Replay& replay, const std::string& id) {
+  std::optional<std::size_t> number;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (std::size_t i = 0; i < sample.scene.objects.size(); ++i) {
+      if (sample.scene.objects[i].id != id) continue;
+      if (number.value_or(i) != i) return std::nullopt;
+      number = i;
+    }
+  }
+  const bool alone = std::all_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return sample.scene.objects.size() <= *number || sample.scene.objects[*number].id == id;
+  });
+  return alone ? number : std::nullopt;
+}
+
+/// Whether the experiment, or the patch of any sample, gives a quantity.
+bool isRecorded(const Replay& replay, const std::string& pointer) {
+  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
+    return model::recordedIn(replay.experiment(), *sample.sample).contains(nlohmann::json::json_pointer(pointer));
+  });
+}
+
 }  // namespace
 
-void addReferenceHypotheses(const Replay& replay, const std::set<std::int32_t>& objects,
+void addReferenceHypotheses(const Replay& replay, const std::vector<std::string>& objects,
                             std::vector<Hypothesis>& list) {
   constexpr double kFarthest_m = 1.5, kMost_deg = 15.0;
   std::vector<std::size_t> everything(replay.samples().size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   const std::vector<std::string> setups = setupsOf(replay, everything);
-  for (const std::int32_t index : objects) {
-    const auto& pose = replay.experiment().json["scene"][static_cast<std::size_t>(index)]["pose"];
-    const std::string root = "/scene/" + std::to_string(index) + "/pose/";
-    for (const char* axis : {"0", "1"}) {
-      addReference(root + "position_m/" + axis, "m", kFarthest_m, setups, list);
-    }
-    if (pose.contains("yaw_pitch_roll_deg"))
-      addReference(root + "yaw_pitch_roll_deg/0", "deg", kMost_deg, setups, list);
+  for (const std::string& object : objects) {
+    const std::optional<std::size_t> number = numberOf(replay, object);
+    if (!number) continue;
+    const std::string root = "/scene/" + std::to_string(*number) + "/pose/";
+    for (const char* axis : {"position_m/0", "position_m/1"}) addReference(root + axis, "m", kFarthest_m, setups, list);
+    if (isRecorded(replay, root + kYaw)) addReference(root + kYaw, "deg", kMost_deg, setups, list);
   }
 }
 

@@ -27,8 +27,8 @@ const model::SensorProfile& sensorOf(const Replay& replay) {
 }
 
 /// How long the receiver listens after a shot. [s]
-double listening_s(const Replay& replay) {
-  return 2.0 * sensorOf(replay).detection.max_range_m / core::kSpeedOfLight_m_s;
+double listening_s(const model::SensorProfile& sensor) {
+  return 2.0 * sensor.detection.max_range_m / core::kSpeedOfLight_m_s;
 }
 
 struct Stratum {
@@ -121,61 +121,77 @@ void addClouds(const std::vector<Stratum>& azimuths, double half_deg, const std:
   starts.vary({"centre_x_m", "centre_y_m", "size_m", "albedo"});
 }
 
+/// Sectors that reach from edge to edge of these directions.
+void addSectors(const std::vector<Stratum>& azimuths, double half_deg, Starts& starts) {
+  for (const Stratum& a : azimuths)
+    starts.add({{"azimuth_from_deg", a.low - half_deg}, {"azimuth_to_deg", a.high + half_deg}});
+  starts.vary({"azimuth_from_deg", "azimuth_to_deg"});
+}
+
+Starts::Setting direction(const Stratum& azimuth, double half_deg) {
+  return {{"azimuth_deg", (azimuth.low + azimuth.high) / 2.0},
+          {"width_deg", azimuth.high - azimuth.low + 2.0 * half_deg}};
+}
+
+void addDirections(const std::vector<Stratum>& azimuths, double half_deg, Starts& starts) {
+  for (const Stratum& a : azimuths) starts.add(direction(a, half_deg));
+  starts.vary({"azimuth_deg", "width_deg"});
+}
+
+/// False targets where directions and ranges cross, and where echoes came from. One pulls the echo that it merges with.
+void addTargets(const std::vector<Stratum>& azimuths, const std::vector<Stratum>& ranges, double half_deg,
+                double echo_separation_m, const std::optional<UnexpectedEchoes>& extra, Starts& starts) {
+  for (const Stratum& a : azimuths) {
+    for (const Stratum& r : ranges) {
+      for (const double pull : kPulls) {
+        Starts::Setting at = direction(a, half_deg);
+        at.emplace_back("range_m", (r.low + r.high) / 2.0 + pull * echo_separation_m);
+        starts.add(at);
+      }
+    }
+  }
+  if (extra)
+    starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
+}
+
+/// Gates that begin or end where echoes are, where a range stands out, and where all is lost.
+void addGates(const Gate& gate, const std::vector<Stratum>& ranges, double half_step_m, Starts& starts) {
+  constexpr double kFar_m = 1e9, kBit_m = 0.01;
+  const auto opens = [&](double at_m) { starts.add({{"from_m", at_m}, {"to_m", kFar_m}}); };
+  const auto closes = [&](double at_m) { starts.add({{"from_m", 0.0}, {"to_m", at_m}}); };
+  if (gate.nearest_m) opens(*gate.nearest_m - half_step_m);
+  if (gate.farthest_m) closes(*gate.farthest_m + half_step_m);
+  for (const Stratum& r : ranges) {
+    opens(r.high + kBit_m);
+    closes(r.low - kBit_m);
+  }
+  if (gate.opens_m) opens(*gate.opens_m);
+  if (gate.closes_m) closes(*gate.closes_m);
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothesis& hypothesis,
                                             const WhereResult& where) {
+  const model::SensorProfile& sensor = sensorOf(replay);
   const double half_deg = azimuthStep_deg(replay) / 2.0;
   const auto ranges = strataOf(where.rows, "range_m");
   auto azimuths = strataOf(where.rows, "azimuth_deg");
   for (const Sector& sector : where.sectors) azimuths.push_back({sector.from_deg + half_deg, sector.to_deg - half_deg});
   Starts starts(hypothesis);
-  if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) {
-    for (const Stratum& a : azimuths)
-      starts.add({{"azimuth_from_deg", a.low - half_deg}, {"azimuth_to_deg", a.high + half_deg}});
-    starts.vary({"azimuth_from_deg", "azimuth_to_deg"});
-  }
+  if (starts.has("azimuth_from_deg") && starts.has("azimuth_to_deg")) addSectors(azimuths, half_deg, starts);
   if (starts.has("azimuth_deg")) {
-    for (const Stratum& a : azimuths) {
-      const Starts::Setting there = {{"azimuth_deg", (a.low + a.high) / 2.0},
-                                     {"width_deg", a.high - a.low + 2.0 * half_deg}};
-      if (!starts.has("range_m")) {
-        starts.add(there);
-        continue;
-      }
-      for (const Stratum& r : ranges) {
-        for (const double pull : kPulls) {  // a false target pulls the echo that it merges with
-          Starts::Setting at = there;
-          at.emplace_back("range_m", (r.low + r.high) / 2.0 + pull * sensorOf(replay).detection.echo_separation_m);
-          starts.add(at);
-        }
-      }
-    }
-    if (!starts.has("range_m")) starts.vary({"azimuth_deg", "width_deg"});
-  }
-  if (starts.has("azimuth_deg") && starts.has("range_m")) {
-    if (const auto& extra = where.unexpected) {
-      starts.add({{"azimuth_deg", extra->azimuth_deg}, {"width_deg", extra->width_deg}, {"range_m", extra->range_m}});
-    }
+    if (starts.has("range_m"))
+      addTargets(azimuths, ranges, half_deg, sensor.detection.echo_separation_m, where.unexpected, starts);
+    else
+      addDirections(azimuths, half_deg, starts);
   }
   if (const double rate = where.false_echoes_per_shot; rate > 0.0) {
     if (starts.has("rate_per_beam")) starts.add({{"rate_per_beam", rate}});
-    if (starts.has("rate_1_s")) starts.add({{"rate_1_s", rate / listening_s(replay)}});
+    if (starts.has("rate_1_s")) starts.add({{"rate_1_s", rate / listening_s(sensor)}});
   }
-  if (starts.has("from_m") && starts.has("to_m")) {
-    constexpr double kFar_m = 1e9, kBit_m = 0.01;
-    const double half_step_m = replay.resolution(kRange) / 2.0;
-    if (where.gate.nearest_m) starts.add({{"from_m", *where.gate.nearest_m - half_step_m}, {"to_m", kFar_m}});
-    if (where.gate.farthest_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.farthest_m + half_step_m}});
-    for (const Stratum& r : ranges) {
-      starts.add({{"from_m", r.high + kBit_m}, {"to_m", kFar_m}});
-      starts.add({{"from_m", 0.0}, {"to_m", r.low - kBit_m}});
-    }
-    if (where.gate.opens_m) starts.add({{"from_m", *where.gate.opens_m}, {"to_m", kFar_m}});
-    if (where.gate.closes_m) starts.add({{"from_m", 0.0}, {"to_m", *where.gate.closes_m}});
-  }
-  if (starts.has("visibility_m") && starts.has("backscatter_1_m_sr"))
-    addFogs(sensorOf(replay).emitter.wavelength_nm, starts);
+  if (starts.has("from_m") && starts.has("to_m")) addGates(where.gate, ranges, replay.resolution(kRange) / 2.0, starts);
+  if (starts.has("visibility_m") && starts.has("backscatter_1_m_sr")) addFogs(sensor.emitter.wavelength_nm, starts);
   if (starts.has("centre_x_m") && starts.has("centre_y_m")) addClouds(azimuths, half_deg, where.unexpected, starts);
   return starts.list();
 }

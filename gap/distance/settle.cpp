@@ -113,10 +113,14 @@ double drawnOffset(const Tolerance& tolerance, core::Random& random) {
 }
 
 void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed) {
-  std::uint32_t number = 0;
   for (const Offset& offset : offsetsOf(replay, world, comparisons)) {
-    core::Random random({.seed = seed, .frame = number++, .purpose = core::purposeOf("reference")});
-    move(replay, offset, drawnOffset(*offset.moves.front().second, random));
+    const auto& [comparison, tolerance] = offset.moves.front();
+    const std::string& setup = replay.samples()[comparison->sample].sample->setup;
+    core::Random random({.seed = seed,
+                         .sample = core::purposeOf(setup.c_str()),
+                         .frame = core::purposeOf(tolerance->pointer.c_str()),
+                         .purpose = core::purposeOf("reference")});
+    move(replay, offset, drawnOffset(*tolerance, random));
   }
 }
 

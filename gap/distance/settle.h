@@ -19,8 +19,8 @@ double settle(const Replay& replay, const World& world, std::span<Comparison> co
 /// Where a quantity stands, within what is recorded of it, in a world drawn at random from the same distribution.
 [[nodiscard]] double drawnOffset(const Tolerance& tolerance, core::Random& random);
 
-/// Moves the simulated surfaces as the reference may have stood: by drawn offsets, one for the samples of a
-/// set-up.
+/// Moves the simulated surfaces as the reference may have stood: by drawn offsets, one for the samples of a set-up and
+/// each set-up its own, also where set-ups are drawn one by one.
 void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed);
 
 }  // namespace gap

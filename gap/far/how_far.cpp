@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "gap/causes/scale.h"
 #include "gap/distance/settle.h"
 
 namespace gap {
@@ -63,8 +64,12 @@ double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
 
 HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples, std::uint64_t seed)
     : replay_(replay), samples_(std::move(samples)), seed_(seed), draws_(kResamples) {
-  for (const std::size_t index : samples_) {
-    const ReplaySample& sample = replay.samples()[index];
+  const std::vector<std::string> setups = setupsOf(replay, samples_);
+  of_setup_.resize(setups.size());
+  for (std::size_t place = 0; place < samples_.size(); ++place) {
+    const ReplaySample& sample = replay.samples()[samples_[place]];
+    const auto setup = std::find(setups.begin(), setups.end(), sample.sample->setup) - setups.begin();
+    of_setup_[static_cast<std::size_t>(setup)].push_back(place);
     cells_.push_back(sample.layout->cellsOf(sample.measured, sample.beam_of));
   }
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
@@ -134,9 +139,12 @@ HeldOutGaps::Drawn HeldOutGaps::drawn(std::size_t number) const {
       {.seed = seed_, .frame = static_cast<std::uint32_t>(number), .purpose = core::purposeOf("bootstrap")});
   Drawn drawn;
   std::map<std::pair<std::string, std::string>, double> of_setups;
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    drawn.samples.push_back(random.below(static_cast<std::uint32_t>(samples_.size())));
-    const ReplaySample& sample = replay_.samples()[samples_[drawn.samples.back()]];
+  for (std::size_t k = 0; k < of_setup_.size(); ++k) {
+    const std::vector<std::size_t>& places = of_setup_[random.below(static_cast<std::uint32_t>(of_setup_.size()))];
+    drawn.samples.insert(drawn.samples.end(), places.begin(), places.end());
+  }
+  for (const std::size_t place : drawn.samples) {
+    const ReplaySample& sample = replay_.samples()[samples_[place]];
     drawn.frames.push_back(resampledFrames(sample.frames, random));
     drawn.offsets.emplace_back();
     for (const Tolerance& tolerance : sample.tolerances) {
@@ -233,8 +241,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
                                    squaresAbout(noise, p) / static_cast<double>(kNoiseRefits - 1));
     // Nothing is seen of a sector's end between two beams, and of no value what is finer than the search.
     const FreeParameter& parameter = hypothesis.parameters[p];
-    const bool sector_end = parameter.name.rfind("azimuth_", 0) == 0;
-    const double least = sector_end ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
+    const double least = isAzimuth(parameter) ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
     const double reach = std::max(t * error, least);
     intervals.push_back({values[p] - reach, values[p] + reach});
   }

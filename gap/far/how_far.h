@@ -31,7 +31,7 @@ struct SampleTotals {
 /// The total gap with a cause added, and how much of it is gone.
 struct After {
   TotalGap gap;
-  Shrink shrink;  ///< interval from a bootstrap over samples (set-ups), frames and references
+  Shrink shrink;  ///< interval from a bootstrap over set-ups, frames and references
   std::vector<SampleTotals> samples;
 };
 
@@ -68,8 +68,8 @@ class HeldOutGaps {
   [[nodiscard]] After with(const World& world, const core::Progress& progress) const;
 
  private:
-  /// One draw of samples and frames, with replacement, of set-ups whose references stand elsewhere within what is
-  /// recorded of them.
+  /// One draw of set-ups and of the frames of their samples, with replacement; references stand elsewhere within what
+  /// is recorded of them.
   struct Drawn {
     std::vector<std::size_t> samples;          ///< places in `samples_`
     std::vector<std::vector<int>> frames;      ///< of each
@@ -91,6 +91,7 @@ class HeldOutGaps {
 
   const Replay& replay_;
   std::vector<std::size_t> samples_;
+  std::vector<std::vector<std::size_t>> of_setup_;  ///< places in `samples_`
   std::uint64_t seed_;
   std::vector<std::vector<std::size_t>> cells_;  ///< of every measured detection, by sample
   std::vector<TotalGap> gaps_before_;

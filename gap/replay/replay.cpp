@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.h"
 #include "core/physics.h"
@@ -16,17 +17,23 @@ constexpr int kBaselineFrames = 6;             // enough for means
 constexpr int kFewestRays = 9;                 // per direction, whatever the model has
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
+constexpr std::size_t kMostCells = 4000000;    // of sensors that a world leaves alone, remembered, 56 bytes each
 
 /// About so many beams, in pairs of neighbouring columns; empty if that is all of them.
 std::vector<std::uint32_t> evenlyOf(const std::vector<model::Beam>& beams, std::size_t most) {
   const std::size_t stride = (beams.size() + most - 1) / most;
   if (stride < 2) return {};
+  // Layers take turns, so that no direction is left out in all of them.
+  const auto turnOf = [](const model::Beam& beam) {
+    return static_cast<std::size_t>(beam.column) / 2 + static_cast<std::size_t>(beam.layer);
+  };
+  std::map<std::size_t, std::size_t> turns;  // those that these beams have, numbered
+  for (const model::Beam& beam : beams) turns.try_emplace(turnOf(beam));
+  std::size_t number = 0;
+  for (auto& turn : turns) turn.second = number++;
   std::vector<std::uint32_t> taken;
-  for (std::uint32_t b = 0; b < beams.size(); ++b) {
-    // Layers take turns, so that no direction is left out in all of them.
-    const auto pair = static_cast<std::size_t>(beams[b].column) / 2, layer = static_cast<std::size_t>(beams[b].layer);
-    if ((pair + layer) % stride == 0) taken.push_back(b);
-  }
+  for (std::uint32_t b = 0; b < beams.size(); ++b)
+    if (turns.at(turnOf(beams[b])) % stride == 0) taken.push_back(b);
   return taken;
 }
 
@@ -176,8 +183,9 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     const Geometry geometry = geometryOf(baseline_, s);
     const model::SignalChain chain(baseline.sensor(samples_[s].sample->sensor),
                                    baseline.effectsOf(samples_[s].sample->sensor), geometry->situation.environment);
-    samples_[s].layout = std::make_unique<CellLayout>(geometry->hits, geometry->situation.scene, chain,
-                                                      samples_[s].measured.hasDirections());
+    samples_[s].scene = geometry->situation.scene;
+    samples_[s].layout =
+        std::make_unique<CellLayout>(geometry->hits, samples_[s].scene, chain, samples_[s].measured.hasDirections());
     samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
     samples_[s].power_deviation.resize(samples_[s].layout->cells().size());
     for (const model::Epistemic& epistemic : samples_[s].sample->epistemic) {
@@ -219,7 +227,9 @@ Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
   const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
   std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
   chain.aim(beams);
-  const double range_bin_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0 / 40.0;
+  // Of the recorded pulse: worlds that differ in theirs share their hits.
+  const double pulse_ns = baseline_.model.sensor(sample.sensor).emitter.pulse_fwhm_ns;
+  const double range_bin_m = core::kMetresPerNanosecond * pulse_ns / 2.0 / 40.0;
   const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
   if (detail_.edge_rays == 0) {
     traced->hits = model::traceWith(chain, traced->situation.scene, std::move(beams),
@@ -254,6 +264,17 @@ Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) cons
   return geometry;
 }
 
+Replay Replay::thinner(std::size_t most_beams) const {
+  std::vector<std::vector<std::uint32_t>> beams;
+  for (const ReplaySample& sample : samples_) {
+    beams.push_back(evenlyOf(sample.beams, most_beams));
+    if (!beams.back().empty() || sample.taken.empty()) continue;
+    beams.back().resize(sample.beams.size());
+    std::iota(beams.back().begin(), beams.back().end(), 0U);
+  }
+  return only(std::move(beams), {most_beams, detail_.edge_rays, detail_.joined});
+}
+
 Replay Replay::only(std::vector<std::vector<std::uint32_t>> beams, Detail detail) const {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const std::vector<std::uint32_t>& taken = samples_[s].taken;
@@ -272,7 +293,8 @@ std::vector<model::Shot> Replay::fire(const World& world, std::size_t s, int fra
   const std::uint64_t drawn = seed == this->seed() ? 0 : std::max<std::uint64_t>(1, seed);
   const ReplaySample& sample = samples_[s];
   return transported(framesFrom(sample.foreign, frames, drawn), *proxyShots(s, frames, seed),
-                     fireBuiltIn(world, s, frames, seed), *sample.layout, seed);
+                     fireBuiltIn(world, s, frames, seed), *sample.layout,
+                     {seed, static_cast<std::uint32_t>(sample.index)});
 }
 
 Replay::Shots Replay::proxyShots(std::size_t s, int frames, std::uint64_t seed) const {
@@ -307,13 +329,17 @@ std::vector<model::Shot> Replay::fireBuiltIn(const World& world, std::size_t s, 
 
 bool Replay::untouched(const World& world, const std::string& sensor) const {
   if (experiment_.sensors.size() < 2 || !world.references.empty() || !world.reflectivity.empty()) return false;
+  const auto profileIn = [&](const World& one) {  // an unnamed one is that of all sensors
+    const nlohmann::json& file = one.model.json;
+    return file.contains("sensors") ? file.at("sensors").value(sensor, nlohmann::json()) : file.at("sensor");
+  };
   const auto sameEffect = [](const model::ActiveEffect& a, const model::ActiveEffect& b) {
     return a.name == b.name && a.parameters.numbers == b.parameters.numbers &&
            a.parameters.texts == b.parameters.texts && a.parameters.lists == b.parameters.lists;
   };
   const auto effects = world.model.effectsOf(sensor), before = baseline_.model.effectsOf(sensor);
   return std::equal(effects.begin(), effects.end(), before.begin(), before.end(), sameEffect) &&
-         world.model.json["sensors"][sensor] == baseline_.model.json["sensors"][sensor];
+         profileIn(world) == profileIn(baseline_);
 }
 
 std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, int frames, std::uint64_t seed) const {
@@ -327,7 +353,9 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
   }
   auto statistics = simulated();
   const std::lock_guard lock(mutex_);
-  return untouched_.try_emplace(key, std::move(statistics)).first->second;
+  if (remembered_cells_ + statistics.size() <= kMostCells && untouched_.emplace(key, statistics).second)
+    remembered_cells_ += statistics.size();
+  return statistics;
 }
 
 bool Replay::mirrors(const World& world, std::size_t sample) const {
@@ -366,6 +394,16 @@ std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::s
     if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
   }
   return setups;
+}
+
+std::vector<std::string> objectsOf(const Replay& replay) {
+  std::vector<std::string> ids;
+  for (const ReplaySample& sample : replay.samples()) {
+    for (const model::SceneObject& object : sample.scene.objects) {
+      if (std::find(ids.begin(), ids.end(), object.id) == ids.end()) ids.push_back(object.id);
+    }
+  }
+  return ids;
 }
 
 double azimuthStep_deg(const Replay& replay) {

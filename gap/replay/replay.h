@@ -31,6 +31,7 @@ struct Tolerance {
 struct ReplaySample {
   std::size_t index = 0;  ///< in the experiment
   const model::Sample* sample = nullptr;
+  model::Scene scene;  ///< as recorded; a patch may bring or take objects, so numbers of objects hold in a sample only
   core::Detections measured;
   std::vector<std::uint32_t> beam_of;      ///< of each measured detection
   std::vector<CellStatistics> statistics;  ///< of the measurement
@@ -71,10 +72,8 @@ class Replay {
          std::span<const model::ExternalRun> foreign = {})
       : Replay(experiment, baseline, detail, foreign, {}) {}
 
-  /// The same replay with fewer beams.
-  [[nodiscard]] Replay thinner(std::size_t most_beams) const {
-    return Replay(experiment_, baseline_.model, {most_beams, detail_.edge_rays, detail_.joined}, foreign_, {});
-  }
+  /// The same replay with fewer of its beams.
+  [[nodiscard]] Replay thinner(std::size_t most_beams) const;
   /// Another one of these beams alone, whatever the detail says of their number: of every sample numbers among the
   /// beams that it has here, ascending; none: all of the scan.
   [[nodiscard]] Replay only(std::vector<std::vector<std::uint32_t>> beams, Detail detail) const;
@@ -130,6 +129,7 @@ class Replay {
   mutable GeometryCache traced_;
   mutable std::mutex mutex_;
   mutable std::map<std::tuple<std::size_t, int, std::uint64_t>, std::vector<CellStatistics>> untouched_;
+  mutable std::size_t remembered_cells_ = 0;
   std::span<const model::ExternalRun> foreign_;
   mutable std::unordered_map<std::string, Shots> fired_;  ///< of the proxy's baseline
   mutable std::size_t remembered_shots_ = 0;
@@ -137,6 +137,9 @@ class Replay {
 
 /// The set-ups of some samples, each once, in the order of the samples.
 [[nodiscard]] std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples);
+
+/// The ids of all objects of all samples, each once, in the order of the scenes.
+[[nodiscard]] std::vector<std::string> objectsOf(const Replay& replay);
 
 /// Smallest distance of two neighbouring beams of a layer in azimuth, over the first sample; 1 if there is none.
 [[nodiscard]] double azimuthStep_deg(const Replay& replay);

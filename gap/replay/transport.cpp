@@ -51,8 +51,8 @@ bool sameShot(const model::Shot& a, const model::Shot& b) {
 class CellTransport {
  public:
   CellTransport(const std::vector<model::Shot>& foreign, const std::vector<model::Shot>& from,
-                const std::vector<model::Shot>& to, std::uint64_t seed, std::vector<model::Shot>& out)
-      : foreign_(foreign), from_(from), to_(to), seed_(seed), out_(out) {}
+                const std::vector<model::Shot>& to, TransportNoise noise, std::vector<model::Shot>& out)
+      : foreign_(foreign), from_(from), to_(to), noise_(noise), out_(out) {}
 
   void run(std::span<const std::uint32_t> theirs, std::span<const std::uint32_t> from,
            std::span<const std::uint32_t> to, bool on_a_surface) {
@@ -63,7 +63,7 @@ class CellTransport {
     const double kept =
         to.size() < from.size() ? static_cast<double>(to.size()) / static_cast<double>(from.size()) : 1.0;
     for (const std::uint32_t i : theirs) {
-      if (kept >= 1.0 || chance(foreign_[i], "transport loss") < kept) out_.push_back(foreign_[i]);
+      if (kept >= 1.0 || chance(foreign_[i]) < kept) out_.push_back(foreign_[i]);
     }
     if (same) return;
     if (on_a_surface && !from.empty() && !to.empty()) move(begin, from, to);
@@ -72,12 +72,12 @@ class CellTransport {
 
  private:
   /// The same number for the same detection in every world.
-  [[nodiscard]] double chance(const model::Shot& shot, const char* purpose) const {
-    core::Random random({.seed = seed_,
-                         .sample = static_cast<std::uint32_t>(shot.echo),
+  [[nodiscard]] double chance(const model::Shot& shot) const {
+    core::Random random({.seed = noise_.seed,
+                         .sample = noise_.sample,
                          .frame = static_cast<std::uint32_t>(shot.frame),
                          .beam = shot.beam,
-                         .purpose = core::purposeOf(purpose)});
+                         .purpose = core::purposeOf("transport loss") + static_cast<std::uint32_t>(shot.echo)});
     return random.uniform();
   }
 
@@ -123,7 +123,7 @@ class CellTransport {
   const std::vector<model::Shot>& foreign_;
   const std::vector<model::Shot>& from_;
   const std::vector<model::Shot>& to_;
-  std::uint64_t seed_;
+  TransportNoise noise_;
   std::vector<model::Shot>& out_;
 };
 
@@ -150,11 +150,12 @@ std::vector<model::Shot> framesFrom(const ForeignFrames& recording, int wanted, 
 }
 
 std::vector<model::Shot> transported(const std::vector<model::Shot>& foreign, const std::vector<model::Shot>& from,
-                                     const std::vector<model::Shot>& to, const CellLayout& layout, std::uint64_t seed) {
+                                     const std::vector<model::Shot>& to, const CellLayout& layout,
+                                     TransportNoise noise) {
   const core::Grouped of_foreign = byCell(foreign, layout), of_from = byCell(from, layout), of_to = byCell(to, layout);
   std::vector<model::Shot> out;
   out.reserve(foreign.size());
-  CellTransport transport(foreign, from, to, seed, out);
+  CellTransport transport(foreign, from, to, noise, out);
   for (std::size_t c = 0; c < layout.cells().size(); ++c) {
     transport.run(of_foreign.of(c), of_from.of(c), of_to.of(c), c < layout.surfaces());
   }

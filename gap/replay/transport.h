@@ -19,6 +19,12 @@ struct ForeignFrames {
 /// variance of one.
 [[nodiscard]] std::vector<model::Shot> framesFrom(const ForeignFrames& recording, int wanted, std::uint64_t seed);
 
+/// What decides which detections are lost: each sample loses others.
+struct TransportNoise {
+  std::uint64_t seed = 0;
+  std::uint32_t sample = 0;
+};
+
 /// The influence of a change of the world, seen by the built-in lidar, applied to foreign shots: cell by cell
 /// (cells.h), `from` the built-in lidar's baseline and `to` its changed world, both of `frames` frames under the same
 /// random numbers.
@@ -34,6 +40,6 @@ struct ForeignFrames {
 [[nodiscard]] std::vector<model::Shot> transported(const std::vector<model::Shot>& foreign,
                                                    const std::vector<model::Shot>& from,
                                                    const std::vector<model::Shot>& to, const CellLayout& layout,
-                                                   std::uint64_t seed);
+                                                   TransportNoise noise);
 
 }  // namespace gap

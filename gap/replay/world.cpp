@@ -42,7 +42,9 @@ model::Situation situationIn(const World& world, const model::Experiment& experi
   model::Sample moved = sample;
   model::EpistemicOffsets offsets;
   moved.epistemic.clear();
+  const nlohmann::json recorded = model::recordedIn(experiment, sample);
   for (const ReferenceOffset& reference : world.references) {
+    if (!recorded.contains(nlohmann::json::json_pointer(reference.pointer))) continue;  // the object is not there
     moved.epistemic.push_back({reference.pointer, 0.0, 0.0});
     offsets.push_back(reference.of(sample.setup));
   }

@@ -38,8 +38,8 @@ void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
                     report::text(after ? number(after->d_cavm) : "–")});
   }
   const auto share = [&](double TotalGap::*member, const char* name) {
-    constexpr double kShown = 0.0005;  // NaN without recorded directions is not shown either
-    if (!(diagnosis.before.*member > kShown) && !(diagnosis.after && (*diagnosis.after).*member > kShown)) return;
+    constexpr double kShown = 0.0005;
+    if (diagnosis.before.*member <= kShown && (!diagnosis.after || (*diagnosis.after).*member <= kShown)) return;
     rows.push_back({report::text(name), report::text(percent(diagnosis.before.*member)),
                     report::text(diagnosis.after ? percent((*diagnosis.after).*member) : "–"), report::text("–"),
                     report::text("–")});

@@ -335,13 +335,13 @@ std::string frameModeSentence(const FrameMode& mode) {
       measurandTitle(nameOf(mode.channel)), mode.stddev, mode.channel == kIntensity ? "nW" : "m");
 }
 
-std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample) {
+std::string nextExperimentSentence(const NextExperiment& next) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)
     settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
   return fmt::format("Repeat with {}{}: there {} and {} differ most compared to the noise.",
-                     settings.empty() ? "the setting of sample " + nearest_sample : core::join(settings),
-                     settings.empty() ? "" : " (as in sample " + nearest_sample + ")", next.separates[0],
+                     settings.empty() ? "the setting of sample " + next.sample : core::join(settings),
+                     settings.empty() ? "" : " (as in sample " + next.sample + ")", next.separates[0],
                      next.separates[1]);
 }
 

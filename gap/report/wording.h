@@ -28,7 +28,7 @@ namespace gap {
 /// Where the model as it is run shows another shrink; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
-[[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next, const std::string& nearest_sample);
+[[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next);
 
 /// "echo pulse width" for "epw".
 [[nodiscard]] std::string measurandTitle(const std::string& measurand);

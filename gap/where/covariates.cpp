@@ -42,19 +42,18 @@ std::vector<Covariate> covariatesOf(const Replay& replay, const std::vector<std:
          [cell](const CellPlace& r) { return cell(r).object < 0 ? NAN : cell(r).incidence_rad * core::kDegPerRad; },
          nullptr});
     list.push_back({"time_s", true, [beam](const CellPlace& r) { return beam(r).time_s; }, nullptr});
-    const model::Scene scene = model::situationOf(replay.experiment(), *replay.samples().front().sample).scene;
-    std::vector<std::string> objects, materials;
-    for (const model::SceneObject& object : scene.objects) {
-      objects.push_back(object.id);
-      materials.push_back(scene.materials[object.material].name);
-    }
-    const auto named = [cell](std::vector<std::string> names) {
-      return [cell, names](const CellPlace& r) {
-        return cell(r).object < 0 ? std::string("(nothing)") : names[static_cast<std::size_t>(cell(r).object)];
+    const auto seen = [&replay, cell](auto nameOf) {
+      return [&replay, cell, nameOf](const CellPlace& r) {
+        const model::Scene& scene = replay.samples()[r.sample].scene;
+        const std::int32_t object = cell(r).object;
+        return object < 0 ? std::string("(nothing)") : nameOf(scene, scene.objects[static_cast<std::size_t>(object)]);
       };
     };
-    list.push_back({"object", false, nullptr, named(objects)});
-    list.push_back({"material", false, nullptr, named(materials)});
+    list.push_back({"object", false, nullptr,
+                    seen([](const model::Scene&, const model::SceneObject& object) { return object.id; })});
+    list.push_back({"material", false, nullptr, seen([](const model::Scene& scene, const model::SceneObject& object) {
+                      return scene.materials[object.material].name;
+                    })});
   }
   for (const Channel channel : replay.channels()) {
     if (channel == kEpw) list.push_back({"epw_m", true, mean(kEpw), nullptr});

@@ -30,7 +30,9 @@ constexpr double kFitShare = 0.5;           // of the best one's gain there: wha
 constexpr double kWorthMore = 0.05;  // of the discrepancy: what gained less is tried in no further form that takes long
 constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement helps
 
-/// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, the others judge.
+/// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, also of those that are
+/// held out; all of these judge, and the price of every number makes up for what it gains on beams that it was fitted
+/// to.
 Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
   return hypothesis.per_setup ? splitByBeams(judge.replay, judge.split.fitted.seed).fitted : judge.split.fitted;
 }

@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "gap/distance/discrepancy.h"
+#include "gap/where/residual_tables.h"
 
 namespace gap {
 
@@ -162,10 +163,8 @@ std::vector<Prediction> predictionsOf(const Replay& replay, const std::vector<Wo
     const Telling telling =
         tellingCells(replay, sample, simulated[simulated.size() - 2], simulated.back(), channel, frames);
     const auto all = static_cast<double>(std::max<std::size_t>(1, sample.layout->surfaces()));
-    Prediction prediction{channel ? nameOf(*channel) : "existence",
-                          !channel                 ? "1/shot"
-                          : *channel == kIntensity ? "nW"
-                                                   : "m",
+    Prediction prediction{channel ? measurandOf(replay, *channel).name : "existence",
+                          channel ? measurandOf(replay, *channel).unit : "1/shot",
                           static_cast<double>(telling.cells.size()) / all,
                           {},
                           telling.noise};

@@ -84,11 +84,14 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
                                    core::Progress& progress) {
   core::PartOfProgress part(progress, 0.1, 0.5);
   std::vector<Candidate> singles = rank(quick, hypotheses, where, part);
-  polish(exact, gaps, singles, where, progress);
-  const auto no_error = [&](const Candidate& candidate) {
-    return asRecorded(exact.replay, candidate.hypothesis, candidate.values);
+  const auto withoutErrors = [&] {
+    return std::erase_if(singles, [&](const Candidate& candidate) {
+      return asRecorded(exact.replay, candidate.hypothesis, candidate.values);
+    });
   };
-  if (std::erase_if(singles, no_error) > 0) polish(exact, gaps, singles, where, progress);
+  withoutErrors();
+  polish(exact, gaps, singles, where, progress);
+  if (withoutErrors() > 0) polish(exact, gaps, singles, where, progress);  // better values may be within what is known
   return singles;
 }
 
@@ -141,7 +144,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
                           Decision& decision, const core::Progress& progress) {
   decision.kind = VerdictKind::kNone;
   std::vector<Candidate> proven, others;
-  double p_value = 1.0;
+  std::map<Form, double> p_values;
   const auto matters = [&](const Candidate& candidate) {
     const World world = worldOf(exact.replay, candidate.hypothesis, candidate.values);
     const auto shrinks = [&] { return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink; };
@@ -159,20 +162,23 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
       others.push_back(std::move(candidate));
       continue;
     }
+    p_values[formOf(candidate.hypothesis)] = significance.p_value;
     proven.push_back(std::move(candidate));
-    p_value = std::min(p_value, significance.p_value);
   }
   sortByMerit(proven);
   polish(exact, gaps, proven, where, progress);
   std::erase_if(proven, [&](const Candidate& candidate) { return !matters(candidate); });  // better values, less gain
   if (proven.empty()) return;
+  const double p_value = p_values.at(formOf(proven.front().hypothesis));
   decision.p_value = std::min(1.0, p_value * static_cast<double>(decision.singles.size()));
-  decision.singles = std::move(proven);
-  decision.name(decision.singles.front());
+  decision.name(proven.front());
   // What did not prove itself may still come as near: it only has more to pay, or its own share of luck.
   sortByMerit(others);
-  std::move(others.begin(), others.end(), std::back_inserter(decision.singles));
-  decision.rivals = rivalsOfAll(quick, exact, decision.singles);
+  proven.insert(proven.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+  decision.rivals = rivalsOfAll(quick, exact, proven);
+  std::erase_if(decision.singles, [&](const Candidate& single) { return placeOfForm(proven, single) < proven.size(); });
+  decision.singles.insert(decision.singles.begin(), std::make_move_iterator(proven.begin()),
+                          std::make_move_iterator(proven.end()));
 }
 
 /// The share of the gap that a cause must account for to be named.

@@ -31,10 +31,11 @@ constexpr double kMostErrors = 100.0;       // of a shift
 constexpr double kRecalibrations[] = {1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.2};
 constexpr int kPartsOfAStep = 4;
 
-/// Of shifts, as much as counts in a distance.
-Eigen::MatrixXf near(const Eigen::MatrixXf& shifts) {
+/// Of shifts, as much as counts in a distance; what it is given outlives what it returns.
+template <typename Shifts>
+auto near(const Eigen::MatrixBase<Shifts>& shifts) {
   constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
-  return shifts.cwiseMax(-kFar).cwiseMin(kFar);
+  return shifts.derived().cwiseMax(-kFar).cwiseMin(kFar);
 }
 
 Eigen::VectorXf columnOf(const Signature& signature) {

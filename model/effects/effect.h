@@ -33,6 +33,7 @@ struct ParameterInfo {
   double typical = 0.0;      ///< a start for a fit
   double absent_at = 0.0;    ///< where the effect does nothing: searched finely if it lies in the plausible range
   bool whole = false;        ///< a count
+  bool seed = false;         ///< picks random numbers: no quantity that may be wrong
 };
 
 /// A list of numbers that an effect takes.

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/file.h"
 #include "core/json_object.h"
 #include "gap/diagnosis.h"
 #include "gap/report/json.h"
+#include "model/simulate.h"
 #include "tests/gap/small_world.h"
 #include "tests/support/thrown_message.h"
 
@@ -67,6 +69,42 @@ TEST_F(Degenerate, EnoughDataHaveNoLimitsAndNoNotes) {
   EXPECT_TRUE(diagnosis.verdict.limits.empty());
   EXPECT_TRUE(diagnosis.notes.empty());
   EXPECT_GT(diagnosis.verdict.confidence, 0.5);
+}
+
+// A patch may bring an object: numbers of objects in the scene hold in that sample only.
+TEST(DegenerateScenes, AnObjectThatOneSampleAloneHasIsNamedAndMovedThere) {
+  SmallWorld world;
+  const auto withASign = [&](double sign_at_m) {
+    json experiment = world.recorded();
+    json sign = experiment["scene"][0];
+    sign["id"] = "sign";
+    sign["shape"] = {{"type", "rectangle"}, {"width_m", 1.0}, {"height_m", 1.0}};
+    sign["pose"]["position_m"][0] = sign_at_m;
+    experiment["samples"][3]["patch"].push_back({{"op", "add"}, {"path", "/scene/-"}, {"value", sign}});
+    return experiment;
+  };
+  core::SilentProgress progress;
+  const auto real = model::parseExperiment(withASign(6.2), world.folder() / "experiment.json");
+  model::simulatePackage(real, SmallWorld::modelWith({}), world.folder() / "measured", 4711, progress);
+  core::writeJson(world.folder() / "measured" / "experiment.json", withASign(6.0));
+  const gap::Diagnosis diagnosis = gap::diagnose(model::readExperiment(world.folder() / "measured"),
+                                                 SmallWorld::modelWith({}), {.library = {"range-offset"}}, progress);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/scene/1/pose/position_m/0"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters.front().value, 0.2, 0.02);
+}
+
+// A measured pulse brings its width: to scale the number beside it is refused by the reader of models.
+TEST_F(Degenerate, AMeasuredPulseBesideItsWidthIsDiagnosedAsAnyOther) {
+  std::string pulse = "time_ns,power\n";
+  for (int i = -40; i <= 40; ++i) {
+    const double t_ns = 0.25 * i;
+    pulse += std::to_string(t_ns) + "," + std::to_string(std::exp(-4.0 * std::log(2.0) * t_ns * t_ns / 20.25)) + "\n";
+  }
+  core::writeFile(world_.folder() / "pulse.csv", pulse);
+  json measured_pulse = SmallWorld::modelWith({}).json;
+  measured_pulse["sensor"]["emitter"]["pulse_shape"] = {{"file", "pulse.csv"}};
+  const auto model = model::parseModel(measured_pulse, world_.folder() / "model.json");
+  EXPECT_EQ(diagnosed(model).verdict.names, std::vector<std::string>{"atmospheric-attenuation"});
 }
 
 TEST_F(Degenerate, OneSampleIsNeverBelievedAndSaysSo) {

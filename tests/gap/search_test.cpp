@@ -302,7 +302,6 @@ TEST_F(Search, TakesTheMiddleOfWhatTheDataLeaveOpen) {
   EXPECT_NEAR(scouted(gate).values[0], 0.615, 0.04);
 }
 
-// Of 0.01 to 1, searched in its logarithm, to 13 bits of that range: ln(100) / 8192 of the value.
 TEST_F(Search, FitsCountsAsWholeNumbers) {
   measure({{"quantisation", {{"intensity_bits", 9}}}});
   const auto forms = gap::hypothesesFor(*replay_, {"quantisation"});
@@ -333,6 +332,7 @@ TEST_F(Search, TellsCausesByTheFittedSamplesThatTheHeldOutOnesCannotTell) {
   EXPECT_EQ(gap::separationOnAll(judge, judge, offset, offset, 0.03), 0.0);
 }
 
+// Of 0.01 to 1, searched in its logarithm, to 13 bits of that range: ln(100) / 8192 of the value.
 TEST(Resolved, IsTheStepOfTheSearchAtThatValue) {
   const gap::FreeParameter parameter{"value", "", 0.01, 1.0, true, 0.1};
   EXPECT_NEAR(gap::resolvedAt(parameter, 0.2), 0.2 * std::log(100.0) / 8192.0, 1e-7);

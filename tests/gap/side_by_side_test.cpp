@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "core/json_object.h"
 #include "gap/causes/layer_gains.h"
+#include "gap/causes/split.h"
 #include "gap/diagnosis.h"
 #include "gap/report/json.h"
 #include "model/simulate.h"
@@ -89,6 +91,37 @@ TEST(SideBySideDiagnosis, WhatBothSensorsSeeInOneSetUpIsTheReference) {
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kReference);
   EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"/scene/0/pose/position_m/0"});
   EXPECT_TRUE(diagnosis.causes.front().sensors.empty());
+}
+
+// One profile for sensors of one kind need not stand twice in the model; the proposed model says which of them it is.
+TEST(SideBySideDiagnosis, AModelOfOneUnnamedSensorStandsForBoth) {
+  json one = SideBySide::modelWith({}).json, two = one;
+  one["sensor"] = one["sensors"]["left"];
+  one.erase("sensors");
+  two["sensors"]["right"] = two["sensors"]["left"];
+  two["effects"]["range-offset"] = {{"offset_m", 0.06}, {"sensors", {"right"}}};
+  const SideBySide world;
+  const auto measured = world.measuredBy(model::parseModel(two, "two.json"));
+  core::SilentProgress progress;
+  const gap::Diagnosis diagnosis =
+      gap::diagnose(measured, model::parseModel(one, "one.json"), {.library = {"range-offset"}}, progress);
+  EXPECT_EQ(diagnosis.verdict.names, std::vector<std::string>{"range-offset"});
+  EXPECT_EQ(diagnosis.causes.front().sensors, std::vector<std::string>{"right"});
+  EXPECT_EQ(model::parseModel(diagnosis.proposed_model, "proposed.json").effectsOf("left").size(), 1U);
+}
+
+// What both sensors see of one set-up has one reference error: fitted to one of them, it is known for the other.
+TEST(SideBySideDiagnosis, SamplesOfOneSetUpAreHeldOutTogether) {
+  const SideBySide world;
+  model::Experiment measured = world.measuredBy(SideBySide::modelWith({}));
+  for (model::Sample& sample : measured.samples) sample.role = model::Role::kValidation;
+  const gap::Replay replay(measured, SideBySide::modelWith({}));
+  const gap::Split split = gap::splitOf(replay, 1);
+  const auto held_out = gap::setupsOf(replay, split.held_out.samples);
+  EXPECT_EQ(split.held_out.samples.size(), 4U);
+  EXPECT_EQ(held_out.size(), 2U);
+  for (const std::string& setup : gap::setupsOf(replay, split.fitted.samples))
+    EXPECT_EQ(std::count(held_out.begin(), held_out.end(), setup), 0) << setup;
 }
 
 TEST(SideBySideDiagnosis, NoneIsSaidWhereBothSensorsAreAsTheirModels) {

@@ -9,6 +9,7 @@
 #include "core/json_object.h"
 #include "core/physics.h"
 #include "gap/causes/fit.h"
+#include "gap/causes/layer_gains.h"
 #include "model/simulate.h"
 #include "tests/gap/small_world.h"
 
@@ -181,6 +182,20 @@ std::vector<double> gainsSeenIn(const model::LidarModel& truth) {
 TEST(Hypotheses, AFactorThatAllLayersShareIsNoUnevenness) {
   for (const double gain : gainsSeenIn(SmallWorld::modelWith({}, {{"/sensor/emitter/peak_power_w", 55.0}})))
     EXPECT_NEAR(gain, 1.0, 0.01);
+}
+
+// Layers that look over everything receive nothing, with any emitter.
+TEST(Hypotheses, AFactorThatAllLayersShareWhichSeeAnythingIsNoUnevenness) {
+  std::vector<double> gains(16, NAN);
+  for (std::size_t layer = 0; layer < 6; ++layer) gains[layer] = layer % 2 == 0 ? 0.49 : 0.51;
+  const std::vector<double> uneven = gap::unevenPartOf(gains);
+  for (std::size_t layer = 0; layer < 6; ++layer) EXPECT_NEAR(uneven[layer], 1.0, 0.03);
+  for (std::size_t layer = 6; layer < 16; ++layer) EXPECT_TRUE(std::isnan(uneven[layer]));
+}
+
+TEST(Hypotheses, OneLayerAloneIsNotUneven) {
+  EXPECT_DOUBLE_EQ(gap::unevenPartOf({NAN, 0.5, NAN})[1], 1.0);
+  EXPECT_TRUE(std::isnan(gap::unevenPartOf({NAN, NAN})[0]));
 }
 
 // Surfaces that mirror where nothing stands in the mirror take a share of the light, as dirt and a weak emitter do.

@@ -1,5 +1,6 @@
 #include "gap/replay/replay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
@@ -77,6 +78,40 @@ TEST(Replay, ABeamPartedByTheCornerOfABoxReturnsWhatBothFacesDo) {
   const double side = std::sin(azimuth_rad) * std::pow(std::cos(azimuth_rad), 2.0);
   const double expected = (0.4 * front(azimuth_rad) + 0.6 * side) / front(6.0 * core::kRadPerDeg);
   EXPECT_NEAR(intensityAt(replay, 5.0) / intensityAt(replay, 6.0), expected, 0.01);
+}
+
+// Worlds that differ in the pulse alone share their hits: whichever comes first must trace the same.
+TEST(Replay, SharedHitsDoNotDependOnWhichWorldTracedThem) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const auto turned = [&](double pulse_ns) {
+    gap::World changed{SmallWorld::modelWith({}, {{"/sensor/emitter/pulse_fwhm_ns", pulse_ns}}), {}, {}};
+    changed.references.push_back({"/scene/0/pose/yaw_pitch_roll_deg/0", 80.0, {}});  // many ranges in a beam
+    return changed;
+  };
+  const auto lastOf = [&](const std::vector<double>& pulses_ns) {
+    const gap::Replay replay(experiment, model);
+    core::Detections last;
+    for (const double pulse_ns : pulses_ns) last = replay.detections(turned(pulse_ns), 0, 1);
+    return std::make_pair(last.range_m, last.epw_m);
+  };
+  ASSERT_GT(lastOf({4.5}).first.size(), 100U);
+  EXPECT_EQ(lastOf({4.5}), lastOf({200.0, 4.5}));
+}
+
+// Half of a half is a quarter, all over what is left.
+TEST(Replay, IsThinnedFurtherFromTheBeamsThatItHas) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const gap::Replay all(experiment, model);
+  const gap::Replay half = all.thinner(all.samples()[0].beams.size() / 2);
+  const gap::Replay quarter = half.thinner(half.samples()[0].beams.size() / 2);
+  const auto &of_half = half.samples()[0].taken, &of_quarter = quarter.samples()[0].taken;
+  EXPECT_TRUE(std::includes(of_half.begin(), of_half.end(), of_quarter.begin(), of_quarter.end()));
+  EXPECT_NEAR(static_cast<double>(of_quarter.size()), static_cast<double>(of_half.size()) / 2.0, 4.0);
+  EXPECT_EQ(half.thinner(1000000).samples()[0].taken, of_half);
 }
 
 }  // namespace

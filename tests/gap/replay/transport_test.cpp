@@ -36,7 +36,7 @@ class Transport : public ::testing::Test {
         anchor_m_(layout_.cells().front().anchor_m) {}
 
   [[nodiscard]] Shots transported(const Shots& foreign, const Shots& from, const Shots& to) const {
-    return gap::transported(foreign, from, to, layout_, 1);
+    return gap::transported(foreign, from, to, layout_, {.seed = 1});
   }
   [[nodiscard]] double mean(const Shots& shots, gap::Channel channel) const {
     return layout_.statisticsOf(shots).front().mean(channel);
@@ -102,6 +102,20 @@ TEST_F(Transport, LossesMultiply) {
   const Shots proxy = wallShots(anchor_m_, 3.0, 100, 100), lossy = wallShots(anchor_m_, 3.0, 100, 40);
   const double left = static_cast<double>(transported(wallShots(anchor_m_, 3.0, 100, 50), proxy, lossy).size());
   EXPECT_NEAR(left, 20.0, 4.0 * std::sqrt(50 * 0.4 * 0.6));
+}
+
+// Rates are pooled over samples: were the same frames lost in each of them, chance would not average out.
+TEST_F(Transport, EverySampleLosesOtherDetections) {
+  const Shots foreign = wallShots(anchor_m_, 3.0, 100, 50);
+  const Shots proxy = wallShots(anchor_m_, 3.0, 100, 100), lossy = wallShots(anchor_m_, 3.0, 100, 40);
+  const auto framesLeft = [&](std::uint32_t sample) {
+    std::vector<int> frames;
+    for (const model::Shot& shot : gap::transported(foreign, proxy, lossy, layout_, {.seed = 1, .sample = sample}))
+      frames.push_back(shot.frame);
+    return frames;
+  };
+  EXPECT_EQ(framesLeft(0), framesLeft(0));
+  EXPECT_NE(framesLeft(0), framesLeft(1));
 }
 
 TEST_F(Transport, DetectionsThatTheChangedWorldHasMoreAreAddedWithTheForeignModelsOwnBias) {

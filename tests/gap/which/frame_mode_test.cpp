@@ -55,7 +55,8 @@ TEST_F(Frames, ThatAlternateALittleAreSeenInAllSamplesTogether) { EXPECT_TRUE(mo
 TEST_F(Frames, ThatAreAlikeInAllSamplesAreSeenThoughNoneShowsThemByItself) {
   const auto mode = modeOf(alternating(0.0009));
   ASSERT_TRUE(mode);
-  EXPECT_NEAR(mode->span_in_all_samples, 0.0018, 0.0018);  // with what the noise adds
+  EXPECT_GT(mode->span_in_all_samples, 0.0009);
+  EXPECT_LT(mode->span_in_all_samples, 0.0036);  // with what the noise adds
 }
 
 TEST_F(Frames, ThatRepeatEachOtherAreNot) {

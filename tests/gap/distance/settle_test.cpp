@@ -1,0 +1,43 @@
+#include "gap/distance/settle.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "gap/causes/evidence.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+
+/// How far the wall of each of these samples stands from its recorded place in a world that is drawn at random.
+std::vector<double> drawnPlaces_m(const gap::Replay& replay, const std::vector<std::size_t>& samples) {
+  constexpr std::uint64_t kSeed = 17;
+  gap::Evidence evidence;
+  evidence.samples = samples;
+  const gap::Measured drawn = gap::measuredIn(replay, replay.baseline(), evidence, kSeed);
+  std::vector<double> places_m;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const int frames = replay.samples()[samples[i]].frames;
+    const auto recorded = replay.simulate(replay.baseline(), samples[i], frames, kSeed);
+    places_m.push_back(drawn[i][0].mean(gap::kRange) - recorded[0].mean(gap::kRange));
+  }
+  return places_m;
+}
+
+// A common cause moves all set-ups alike; were they drawn alike, chance would do the same.
+TEST(Settle, DrawsAPlaceOfItsOwnForEverySetUp) {
+  SmallWorld world;
+  world.knownToWithin(0.05);
+  const auto measured = world.measuredBy(SmallWorld::modelWith({}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const std::vector<double> together_m = drawnPlaces_m(replay, {0, 1, 2});
+  for (std::size_t s = 0; s < together_m.size(); ++s) {
+    EXPECT_LE(std::abs(together_m[s]), 0.05 + 1e-4);
+    EXPECT_NEAR(drawnPlaces_m(replay, {s}).front(), together_m[s], 1e-9);
+  }
+  EXPECT_GT(std::abs(together_m[0] - together_m[1]), 1e-3);
+  EXPECT_GT(std::abs(together_m[1] - together_m[2]), 1e-3);
+}
+
+}  // namespace
