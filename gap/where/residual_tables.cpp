@@ -29,15 +29,22 @@ double ResidualTable::excess() const {
 
 double ResidualTable::sign() const { return component == "missing" ? -1.0 : component == "extra" ? 1.0 : 0.0; }
 
+double ResidualTable::meanOfNoise(const Row& row) const {
+  constexpr double kDensity = 0.0539910;  // of the standard normal distribution at kBeyondNoise
+  static_assert(kBeyondNoise == 2.0);
+  return sign() == 0.0 ? 0.0 : kDensity * row.error;
+}
+
 double ResidualTable::commonShift() const {
-  double sum = 0.0, weight = 0.0, variance = 0.0;
+  double sum = 0.0, weight = 0.0, variance = 0.0, noise = 0.0;
   for (const Row& row : rows) {
     sum += row.weight * row.value;
+    noise += row.weight * meanOfNoise(row);
     weight += row.weight;
     variance += row.weight * row.weight * row.error * row.error;
   }
   if (sign() * sum < 0.0) return 0.0;
-  return weight > 0.0 && std::abs(sum) > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
+  return weight > 0.0 && std::abs(sum) - noise > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
 }
 
 const model::Measurand& measurandOf(const Replay& replay, Channel channel) {

@@ -36,12 +36,15 @@ struct ResidualTable {
   }
   /// Of what the component counts: missing echoes are residuals below 0, extra ones above; 0: of any sign.
   [[nodiscard]] double sign() const;
+  /// How far noise alone moves the mean of a residual of this error: the tail of the other sign is cut off at
+  /// kBeyondNoise, so what is left of a normal distribution has a mean of φ(kBeyondNoise) standard deviations.
+  [[nodiscard]] double meanOfNoise(const Row& row) const;
   /// Of the residuals, each beyond its error and with its weight.
   [[nodiscard]] double sumBeyondErrors() const;
   /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.
   [[nodiscard]] double excess() const;
-  /// Size of the mean residual in scale units, if it stands out of its error by a factor of five; else 0. Finds what is
-  /// small in every cell but the same in all.
+  /// Size of the mean residual in scale units, if it stands out of what noise makes by five errors; else 0. Finds what
+  /// is small in every cell but the same in all.
   [[nodiscard]] double commonShift() const;
 };
 

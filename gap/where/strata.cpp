@@ -49,19 +49,21 @@ class GapOfRows {
 struct Group {
   double low = 0.0, high = 0.0;
   std::string name;
-  double gap = 0.0, weight = 0.0, value = 0.0, variance = 0.0;  // sums
+  double gap = 0.0, weight = 0.0, value = 0.0, variance = 0.0, noise = 0.0;  // sums
 
   void add(const Row& row, const GapOfRows& gaps) {
     gap += gaps.of(row);
     weight += row.weight;
     value += row.weight * row.value;
     variance += row.weight * row.weight * row.error * row.error;
+    noise += row.weight * gaps.table().meanOfNoise(row);
   }
   void add(const Group& other) {
     gap += other.gap;
     weight += other.weight;
     value += other.value;
     variance += other.variance;
+    noise += other.noise;
   }
 };
 
@@ -221,7 +223,8 @@ WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum&
   row.unit = table.unit;
   row.share = std::clamp(joint.gap / gaps.all(), 0.0, 1.0);
   row.size = joint.weight / gaps.weight();
-  row.p_value = 2.0 * upperTail(std::abs(joint.value) / std::sqrt(std::max(1e-300, joint.variance)));
+  const double beyond_noise = std::max(0.0, std::abs(joint.value) - joint.noise);
+  row.p_value = 2.0 * upperTail(beyond_noise / std::sqrt(std::max(1e-300, joint.variance)));
   row.score = stratum.lift * readability(covariate.name);
   return row;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "core/random.h"
 #include "gap/report/wording.h"
 #include "tests/gap/small_world.h"
 
@@ -39,6 +40,20 @@ TEST(Where, ExcessCountsWhatTheErrorLeavesInStepsOfTheResolution) {
 
 // Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
 // high by chance are no stratum in which the model is wrong.
+// What lies two errors above zero counts as an extra echo, not as a missing one, so noise alone has a mean below zero.
+TEST(Where, MissingEchoesThatNoiseAloneMakesAreNoCommonShift) {
+  constexpr double kError = 0.03;
+  gap::ResidualTable missing{"existence", "missing", "1/shot", 0.01, {}};
+  core::Random random({.seed = 5});
+  for (std::size_t cell = 0; cell < 40000; ++cell) {
+    const double value = kError * random.normal();
+    missing.rows.push_back({0, cell, value < 2.0 * kError ? value : 0.0, kError, 20.0});
+  }
+  EXPECT_EQ(missing.commonShift(), 0.0);
+  for (gap::ResidualTable::Row& row : missing.rows) row.value -= 0.1 * kError;
+  EXPECT_NEAR(missing.commonShift(), 0.154 * kError / 0.01, 0.05);  // with φ(2) of the error, which stays in the value
+}
+
 TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
   const test_support::SmallWorld world;
   const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});
