@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "gap/causes/kinds.h"
@@ -63,9 +62,8 @@ bool isRecorded(const Replay& replay, const std::string& pointer) {
 void addReferenceHypotheses(const Replay& replay, const std::vector<std::string>& objects,
                             std::vector<Hypothesis>& list) {
   constexpr double kFarthest_m = 1.5, kMost_deg = 15.0;
-  std::vector<std::size_t> everything(replay.samples().size());
-  std::iota(everything.begin(), everything.end(), std::size_t{0});
-  const std::vector<std::string> setups = setupsOf(replay, everything);
+  std::vector<std::string> setups;
+  for (const SetUp& setup : setupsOf(replay)) setups.push_back(setup.name);
   for (const std::string& object : objects) {
     const std::optional<std::size_t> number = numberOf(replay, object);
     if (!number) continue;

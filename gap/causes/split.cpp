@@ -29,17 +29,16 @@ Split splitOf(const Replay& replay, std::uint64_t seed) {
     (samples[s].sample->role == model::Role::kPrediction ? split.held_out : split.fitted).samples.push_back(s);
   }
   if (!split.held_out.samples.empty() && !split.fitted.samples.empty()) return withRefined(split);
-  std::vector<std::string> setups;
-  for (const ReplaySample& sample : samples)
-    if (std::find(setups.begin(), setups.end(), sample.sample->setup) == setups.end())
-      setups.push_back(sample.sample->setup);
+  const std::vector<SetUp> setups = setupsOf(replay);
   if (setups.size() < 3) return splitByBeams(replay, seed);
   split.held_out.samples.clear();
   split.fitted.samples.clear();
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    const auto setup = std::find(setups.begin(), setups.end(), samples[s].sample->setup) - setups.begin();
-    (setup % 3 == 1 ? split.held_out : split.fitted).samples.push_back(s);
+  for (std::size_t i = 0; i < setups.size(); ++i) {
+    std::vector<std::size_t>& part = (i % 3 == 1 ? split.held_out : split.fitted).samples;
+    part.insert(part.end(), setups[i].samples.begin(), setups[i].samples.end());
   }
+  std::sort(split.held_out.samples.begin(), split.held_out.samples.end());
+  std::sort(split.fitted.samples.begin(), split.fitted.samples.end());
   return withRefined(split);
 }
 

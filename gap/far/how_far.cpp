@@ -52,6 +52,10 @@ std::vector<int> resampledFrames(int frames, core::Random& random) {
   return chosen;
 }
 
+std::size_t placeOf(const std::vector<std::size_t>& samples, std::size_t index) {
+  return static_cast<std::size_t>(std::find(samples.begin(), samples.end(), index) - samples.begin());
+}
+
 /// Sum of squares of the p-th values about their mean.
 double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
   double mean = 0.0, squares = 0.0;
@@ -64,12 +68,12 @@ double squaresAbout(std::span<const std::vector<double>> fits, std::size_t p) {
 
 HeldOutGaps::HeldOutGaps(const Replay& replay, std::vector<std::size_t> samples, std::uint64_t seed)
     : replay_(replay), samples_(std::move(samples)), seed_(seed), draws_(kResamples) {
-  const std::vector<std::string> setups = setupsOf(replay, samples_);
-  of_setup_.resize(setups.size());
-  for (std::size_t place = 0; place < samples_.size(); ++place) {
-    const ReplaySample& sample = replay.samples()[samples_[place]];
-    const auto setup = std::find(setups.begin(), setups.end(), sample.sample->setup) - setups.begin();
-    of_setup_[static_cast<std::size_t>(setup)].push_back(place);
+  for (const SetUp& setup : setupsOf(replay, samples_)) {
+    of_setup_.emplace_back();
+    for (const std::size_t index : setup.samples) of_setup_.back().push_back(placeOf(samples_, index));
+  }
+  for (const std::size_t index : samples_) {
+    const ReplaySample& sample = replay.samples()[index];
     cells_.push_back(sample.layout->cellsOf(sample.measured, sample.beam_of));
   }
   const std::vector<core::Detections> baseline = simulated(replay.baseline(), seed);
@@ -213,7 +217,7 @@ After HeldOutGaps::with(const World& world, const core::Progress& progress) cons
 std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis& hypothesis,
                                          const std::vector<double>& values, const Evidence& evidence,
                                          const core::Progress& progress) {
-  const std::vector<std::string> setups = setupsOf(replay, evidence.samples);
+  const std::vector<SetUp> setups = setupsOf(replay, evidence.samples);
   std::vector<Interval> intervals;
   if (setups.size() < 2 || hypothesis.per_setup) return intervals;
   // The simulation's own noise is told by refits of everything under other noise, that of the data by a jackknife.
@@ -223,10 +227,8 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
     Evidence own = evidence;
     own.most_frames = std::min(own.most_frames, kRefitFrames);
     if (k < groups) {
-      std::erase_if(own.samples, [&](std::size_t s) {
-        const auto place = std::find(setups.begin(), setups.end(), replay.samples()[s].sample->setup) - setups.begin();
-        return static_cast<std::size_t>(place) % groups == k;
-      });
+      for (std::size_t i = k; i < setups.size(); i += groups)
+        for (const std::size_t left_out : setups[i].samples) std::erase(own.samples, left_out);
     } else {
       own.seed += 1 + k;
     }

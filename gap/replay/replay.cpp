@@ -387,13 +387,21 @@ core::Detections Replay::reported(const std::vector<model::Shot>& shots, const W
   return detections;
 }
 
-std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {
-  std::vector<std::string> setups;
+std::vector<SetUp> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {
+  std::vector<SetUp> setups;
   for (const std::size_t s : samples) {
-    const std::string& setup = replay.samples()[s].sample->setup;
-    if (std::find(setups.begin(), setups.end(), setup) == setups.end()) setups.push_back(setup);
+    const std::string& name = replay.samples()[s].sample->setup;
+    auto known = std::find_if(setups.begin(), setups.end(), [&](const SetUp& setup) { return setup.name == name; });
+    if (known == setups.end()) known = setups.insert(setups.end(), {name, {}});
+    known->samples.push_back(s);
   }
   return setups;
+}
+
+std::vector<SetUp> setupsOf(const Replay& replay) {
+  std::vector<std::size_t> all(replay.samples().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return setupsOf(replay, all);
 }
 
 std::vector<std::string> objectsOf(const Replay& replay) {

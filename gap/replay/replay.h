@@ -135,8 +135,14 @@ class Replay {
   mutable std::size_t remembered_shots_ = 0;
 };
 
-/// The set-ups of some samples, each once, in the order of the samples.
-[[nodiscard]] std::vector<std::string> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples);
+/// Samples of one set-up: they share the errors of its reference.
+struct SetUp {
+  std::string name;
+  std::vector<std::size_t> samples;
+};
+/// The set-ups of some samples, or of all, each once, in the order of the samples.
+[[nodiscard]] std::vector<SetUp> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples);
+[[nodiscard]] std::vector<SetUp> setupsOf(const Replay& replay);
 
 /// The ids of all objects of all samples, each once, in the order of the scenes.
 [[nodiscard]] std::vector<std::string> objectsOf(const Replay& replay);

@@ -36,8 +36,7 @@ Html verdictBadge(VerdictKind kind) {
 std::string setupText(const Cause& cause) {
   std::vector<std::string> offsets;
   for (const auto& [setup, p] : cause.setups) {
-    const std::string unit = p.unit == "deg" ? "°" : " " + p.unit;
-    offsets.push_back(fmt::format("{} {}{}{}", setup, p.value > 0 ? "+" : "", core::significant(p.value, 2), unit));
+    offsets.push_back(fmt::format("{} {}{}", setup, p.value > 0 ? "+" : "", withUnit(p.value, unitOf(p), 2)));
   }
   return core::join(offsets, "; ");
 }

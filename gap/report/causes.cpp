@@ -47,8 +47,7 @@ Html numbersOf(const Cause& cause) {
     cell += report::text("true minus recorded, by set-up:");
     for (const auto& [setup, p] : cause.setups) {
       cell += lineBreak() +
-              report::text(fmt::format("{}: {}{}{}{}", setup, p.value > 0 ? "+" : "", core::significant(p.value, 2),
-                                       p.unit == "deg" ? "" : " ", p.unit == "deg" ? "°" : p.unit));
+              report::text(fmt::format("{}: {}{}", setup, p.value > 0 ? "+" : "", withUnit(p.value, unitOf(p), 2)));
     }
   }
   if (cause.parameters.empty() && cause.setups.empty()) cell += report::text("nothing to fit");

@@ -18,7 +18,7 @@ constexpr double kGoodPart = 0.25;  // of what a cause moves
 constexpr double kStandsOut = 6.0;  // standard deviations: a right model of any kind gives three at most
 
 /// Deviation of every frame from the others: mean over its detections of what each deviates from its cell's mean.
-struct Deviations {
+struct FrameDeviations {
   std::map<std::int32_t, double> deviation;
   std::map<std::int32_t, double> weight;  ///< of each: one over its square error
   double excess = 0.0;    ///< of the squares of the frames' deviations over what independent detections give, which
@@ -26,9 +26,9 @@ struct Deviations {
   double variance = 0.0;  ///< of the common deviation
 };
 
-Deviations deviationsOf(const ReplaySample& sample, const core::Detections& detections,
-                        const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values,
-                        double resolution) {
+FrameDeviations deviationsOf(const ReplaySample& sample, const core::Detections& detections,
+                             const std::vector<std::uint32_t>& beam_of, const std::vector<double>& values,
+                             double resolution) {
   struct Sums {
     double count = 0.0, sum = 0.0;
   };
@@ -49,7 +49,7 @@ Deviations deviationsOf(const ReplaySample& sample, const core::Detections& dete
     squares += deviation * deviation;
     freedom += 1.0 - 1.0 / cell.count;
   }
-  Deviations frames;
+  FrameDeviations frames;
   if (of_frame.size() < 2 || freedom <= 0.0) return frames;
   const double variance = squares / freedom;  // of one detection
   if (variance < std::pow(kRounding * resolution, 2.0)) return frames;
@@ -71,9 +71,9 @@ struct Alike {
   double span = 0.0;  ///< from the least to the largest deviation
 };
 
-Alike alikeIn(const std::vector<Deviations>& samples) {
+Alike alikeIn(const std::vector<FrameDeviations>& samples) {
   std::map<std::int32_t, std::pair<double, double>> sums;  // of the weights, and of the weighted deviations
-  for (const Deviations& frames : samples) {
+  for (const FrameDeviations& frames : samples) {
     for (const auto& [frame, deviation] : frames.deviation) {
       const double weight = frames.weight.at(frame);
       sums[frame].first += weight;
@@ -97,15 +97,15 @@ Alike alikeIn(const std::vector<Deviations>& samples) {
 
 /// All samples in one channel: nothing is fitted to them here, so those that are held out tell no more than others.
 struct Seen {
-  std::vector<Deviations> measured;  ///< by sample
-  double z = 0.0;                    ///< of each sample by itself, or of what they have in common
+  std::vector<FrameDeviations> measured;  ///< by sample
+  double z = 0.0;                         ///< of each sample by itself, or of what they have in common
   double stddev = 0.0;
   double span_in_all_samples = 0.0;
 };
 
-double zOf(const std::vector<Deviations>& samples) {
+double zOf(const std::vector<FrameDeviations>& samples) {
   double excess = 0.0, expected = 0.0;
-  for (const Deviations& frames : samples) {
+  for (const FrameDeviations& frames : samples) {
     excess += frames.excess;
     expected += frames.expected;
   }
@@ -128,7 +128,7 @@ Seen seenIn(const Replay& replay, Channel channel) {
 
 /// Whether the frames of the baseline deviate, too.
 bool isOfTheBaseline(const Replay& replay, Channel channel) {
-  std::vector<Deviations> simulated;
+  std::vector<FrameDeviations> simulated;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     const core::Detections baseline = replay.detections(replay.baseline(), s, replay.seed());

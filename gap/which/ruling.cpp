@@ -13,8 +13,8 @@ constexpr double kMuchClearer = 3.0;      // so much more must one part of the s
 constexpr double kFarClearer = 10.0;      // the same where nothing was named: to look again costs time alone
 constexpr double kHardlyByChance = 0.01;  // of a gap that is not beyond doubt: a second search is worth its time
 
-/// Deviations of the two parts of the samples, in standard deviations.
-struct Deviations {
+/// PartDeviations of the two parts of the samples, in standard deviations.
+struct PartDeviations {
   double held_out_z, fitted_z;
 
   /// Whether it is beyond doubt in one part, and far from it in the other.
@@ -58,9 +58,9 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
   const auto leftBy = [&](const Candidate& cause) {
-    return Deviations{restOf(judge, cause), restOf(on_fitted, cause)};
+    return PartDeviations{restOf(judge, cause), restOf(on_fitted, cause)};
   };
-  const Deviations left = leftBy(decision.singles.front());
+  const PartDeviations left = leftBy(decision.singles.front());
   if (left.inOnePartOnly()) return true;
   if (decision.winner) return false;
   return left.mostlyInOnePart() || leftBy(nearestToFitted(quick, decision.singles)).inOnePartOnly();
@@ -77,7 +77,7 @@ bool mayHideInHeldOut(const Judge& judge, const Decision& decision) {
 Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
   const Split by_samples = without.applied(splitOf(replay, seed));
   const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
-  if (Deviations{yardstick.z(), yardstickOf(replay, by_samples.fitted).z()}.inOnePartOnly())
+  if (PartDeviations{yardstick.z(), yardstickOf(replay, by_samples.fitted).z()}.inOnePartOnly())
     return judgeByBeams(replay, seed, without);
   return {replay, by_samples, yardstick};
 }

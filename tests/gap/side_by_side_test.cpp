@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "core/json_object.h"
@@ -120,8 +119,8 @@ TEST(SideBySideDiagnosis, SamplesOfOneSetUpAreHeldOutTogether) {
   const auto held_out = gap::setupsOf(replay, split.held_out.samples);
   EXPECT_EQ(split.held_out.samples.size(), 4U);
   EXPECT_EQ(held_out.size(), 2U);
-  for (const std::string& setup : gap::setupsOf(replay, split.fitted.samples))
-    EXPECT_EQ(std::count(held_out.begin(), held_out.end(), setup), 0) << setup;
+  for (const gap::SetUp& fitted : gap::setupsOf(replay, split.fitted.samples))
+    for (const gap::SetUp& setup : held_out) EXPECT_NE(setup.name, fitted.name);
 }
 
 TEST(SideBySideDiagnosis, NoneIsSaidWhereBothSensorsAreAsTheirModels) {
