@@ -6,6 +6,7 @@
 #include "gap/diagnosis.h"
 #include "gap/distance/models_grid.h"
 #include "gap/far/how_far.h"
+#include "gap/far/parameter_intervals.h"
 #include "gap/report/wording.h"
 #include "gap/verdict.h"
 #include "gap/where/pictures.h"
