@@ -211,11 +211,11 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   model.seed = seed;  // under it a foreign model is what it reported
   const std::vector<model::ExternalRun> foreign = model::nominalRuns(experiment, given, seed, progress);
   progress.report(0.0, "tracing the samples");
-  const Replay finely(experiment, model, kExact, foreign);
-  std::optional<Replay> on_its_grid;
+  std::optional<Replay> finely(std::in_place, experiment, model, kExact, foreign), on_its_grid;
   if (experiment.synthetic() && !given.external) on_its_grid.emplace(experiment, model, onModelsGrid(kExact));
-  if (on_its_grid && !madeOnTheModelsGrid(finely, *on_its_grid)) on_its_grid.reset();
-  const Replay& replay = on_its_grid ? *on_its_grid : finely;
+  if (on_its_grid && !madeOnTheModelsGrid(*finely, *on_its_grid)) on_its_grid.reset();
+  if (on_its_grid) finely.reset();  // each holds all detections and hundreds of megabytes of hits
+  const Replay& replay = on_its_grid ? *on_its_grid : *finely;
   const Detail few = quickDetail(experiment.samples.size());
   std::optional<Replay> few_beams(std::in_place, experiment, model, on_its_grid ? onModelsGrid(few) : few, foreign);
   if (!few_beams->thinned()) few_beams.reset();

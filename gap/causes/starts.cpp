@@ -33,6 +33,9 @@ double listening_s(const model::SensorProfile& sensor) {
 
 struct Stratum {
   double low, high;
+  [[nodiscard]] double middle() const { return (low + high) / 2.0; }
+  /// From edge to edge of its beams.
+  [[nodiscard]] double width(double half_deg) const { return high - low + 2.0 * half_deg; }
 };
 
 std::vector<Stratum> strataOf(const std::vector<WhereRow>& where, const std::string& covariate) {
@@ -111,10 +114,9 @@ void addClouds(const std::vector<Stratum>& azimuths, double half_deg, const std:
     starts.add(setting);
   };
   for (const Stratum& a : azimuths) {
-    const double middle_deg = (a.low + a.high) / 2.0, width_deg = a.high - a.low + 2.0 * half_deg;
     for (const double r : kDistances_m) {
-      add(middle_deg, width_deg, r, {});
-      if (starts.has("albedo")) add(middle_deg, width_deg, r, {{"albedo", 0.0}});
+      add(a.middle(), a.width(half_deg), r, {});
+      if (starts.has("albedo")) add(a.middle(), a.width(half_deg), r, {{"albedo", 0.0}});
     }
   }
   if (extra) add(extra->azimuth_deg, extra->width_deg, extra->range_m, {});
@@ -129,8 +131,7 @@ void addSectors(const std::vector<Stratum>& azimuths, double half_deg, Starts& s
 }
 
 Starts::Setting direction(const Stratum& azimuth, double half_deg) {
-  return {{"azimuth_deg", (azimuth.low + azimuth.high) / 2.0},
-          {"width_deg", azimuth.high - azimuth.low + 2.0 * half_deg}};
+  return {{"azimuth_deg", azimuth.middle()}, {"width_deg", azimuth.width(half_deg)}};
 }
 
 void addDirections(const std::vector<Stratum>& azimuths, double half_deg, Starts& starts) {
@@ -145,7 +146,7 @@ void addTargets(const std::vector<Stratum>& azimuths, const std::vector<Stratum>
     for (const Stratum& r : ranges) {
       for (const double pull : kPulls) {
         Starts::Setting at = direction(a, half_deg);
-        at.emplace_back("range_m", (r.low + r.high) / 2.0 + pull * echo_separation_m);
+        at.emplace_back("range_m", r.middle() + pull * echo_separation_m);
         starts.add(at);
       }
     }

@@ -13,7 +13,7 @@ constexpr double kMuchClearer = 3.0;      // so much more must one part of the s
 constexpr double kFarClearer = 10.0;      // the same where nothing was named: to look again costs time alone
 constexpr double kHardlyByChance = 0.01;  // of a gap that is not beyond doubt: a second search is worth its time
 
-/// PartDeviations of the two parts of the samples, in standard deviations.
+/// Deviations of the two parts of the samples, in standard deviations.
 struct PartDeviations {
   double held_out_z, fitted_z;
 

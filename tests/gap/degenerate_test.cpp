@@ -110,6 +110,7 @@ TEST_F(Degenerate, AMeasuredPulseBesideItsWidthIsDiagnosedAsAnyOther) {
 TEST_F(Degenerate, OneSampleIsNeverBelievedAndSaysSo) {
   keepSamples({3});
   const gap::Diagnosis diagnosis = diagnosed();
+  EXPECT_TRUE(diagnosis.weak_hold_out);
   EXPECT_LE(diagnosis.verdict.confidence, 0.5);
   EXPECT_TRUE(says(diagnosis.verdict.limits, "one sample only"));
   EXPECT_NE(diagnosis.verdict.text.find("one sample only"), std::string::npos);
