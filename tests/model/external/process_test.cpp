@@ -101,14 +101,16 @@ TEST_F(Process, WhoIgnoresTheRequestIsEndedAllTheSame) {
   EXPECT_TRUE(ends("parent"));
 }
 
+// A file is there before anything is written into it, so it gets its name once the number is in.
 TEST_F(Process, CancellingEndsTheWholeGroup) {
   const CancelOnceThereIs progress(folder_ / "parent");
-  EXPECT_THROW((void)runProcess({.words = {"sh", "-c", "sleep 600 & echo $! > child; echo $$ > parent; wait"},
-                                 .folder = folder_.path(),
-                                 .log = folder_ / "log",
-                                 .time_limit_s = 600},
-                                progress),
-               core::Cancelled);
+  EXPECT_THROW(
+      (void)runProcess({.words = {"sh", "-c", "sleep 600 & echo $! > child; echo $$ > number; mv number parent; wait"},
+                        .folder = folder_.path(),
+                        .log = folder_ / "log",
+                        .time_limit_s = 600},
+                       progress),
+      core::Cancelled);
   EXPECT_TRUE(ends("parent"));
   EXPECT_TRUE(ends("child"));
 }
