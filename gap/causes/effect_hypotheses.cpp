@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kUnevenLayers = "photo-response-nonuniformity";
 
 /// The number that an effect declares under this name, which it has.
-FreeParameter numberOf(const model::EffectInfo& info, const std::string& name) {
+FreeParameter numberNamed(const model::EffectInfo& info, const std::string& name) {
   return declared(*std::find_if(info.parameters.begin(), info.parameters.end(),
                                 [&](const model::ParameterInfo& parameter) { return parameter.name == name; }));
 }
@@ -32,7 +32,7 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   hypothesis.variant = variant;
   hypothesis.percollect = info.percollect;
   hypothesis.decomposition_block = model::toString(info.stage);
-  for (const std::string& name : fitted) hypothesis.parameters.push_back(numberOf(info, name));
+  for (const std::string& name : fitted) hypothesis.parameters.push_back(numberNamed(info, name));
   hypothesis.apply = [effect = info.name, fitted, parameters = hypothesis.parameters](
                          World& world, const std::vector<double>& values) {
     const std::vector<double> ordered = inOrder(parameters, values);  // the fit may cross the ends of a sector
@@ -158,7 +158,7 @@ bool hasSubject(const Replay& replay, const model::EffectEntry& entry, const std
   if (name == "motion-scan" || name == "latency") return moves(replay);
   if (name != "transmission" && name != "multipath") return true;
   std::vector<double> typical;
-  for (const std::string& number : fitted) typical.push_back(numberOf(entry.info, number).start);
+  for (const std::string& number : fitted) typical.push_back(numberNamed(entry.info, number).start);
   const model::EffectParameters parameters = parametersOf(fitted, typical);
   if (name == "transmission") return hasPanes(replay, *entry.make(parameters));
   World mirroring = replay.baseline();
@@ -228,7 +228,15 @@ void addPatterns(const Replay& replay, const std::vector<std::string>& only, std
 
 FreeParameter declared(const model::ParameterInfo& p) {
   const double low = p.logarithmic && p.min <= 0.0 ? p.max * 1e-4 : p.min;
-  return {p.name, p.unit, low, p.max, p.logarithmic, std::clamp(p.typical, low, p.max), p.absent_at, p.whole};
+  return {.name = p.name,
+          .unit = p.unit,
+          .low = low,
+          .high = p.max,
+          .logarithmic = p.logarithmic,
+          .start = std::clamp(p.typical, low, p.max),
+          .absent_at = p.absent_at,
+          .whole = p.whole,
+          .azimuth = p.name.starts_with("azimuth_")};
 }
 
 void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& only, std::vector<Hypothesis>& list) {

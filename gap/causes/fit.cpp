@@ -48,7 +48,7 @@ Evidence onSetup(const Replay& replay, const Evidence& evidence, const std::stri
 std::vector<std::vector<double>> oneByOne(const Hypothesis& hypothesis) {
   const auto& parameters = hypothesis.parameters;
   const auto hasOff = [](const FreeParameter& p) {
-    return !isAzimuth(p) && (p.low <= 0.0 || (p.logarithmic && p.low < 0.001 * p.high));
+    return !p.azimuth && (p.low <= 0.0 || (p.logarithmic && p.low < 0.001 * p.high));
   };
   if (parameters.size() < 2 || !std::all_of(parameters.begin(), parameters.end(), hasOff)) return {};
   std::vector<double> off;

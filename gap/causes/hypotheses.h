@@ -22,6 +22,7 @@ struct FreeParameter {
   double start = 0.0;
   double absent_at = 0.0;  ///< where the cause does nothing
   bool whole = false;      ///< a count
+  bool azimuth = false;    ///< of a sector: it may lie anywhere, and nothing is special about zero
 };
 
 /// One possible cause of the gap: how the world would differ from the baseline.

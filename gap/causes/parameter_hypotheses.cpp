@@ -24,14 +24,16 @@ Hypothesis modelParameter(const std::string& pointer, const FreeParameter& value
   return hypothesis;
 }
 
-/// The number of an active effect, searched up to ten times as large or small as it stands in the model.
+/// The number of an active effect, searched up to ten times as large or small as it stands in the model; an azimuth
+/// wherever it may be.
 FreeParameter aroundRecorded(const model::ParameterInfo& info, double value) {
   constexpr double kTimes = 10.0;
   FreeParameter fitted = declared(info);
   fitted.name = "value";
   fitted.logarithmic = info.logarithmic && value > 0.0;
-  fitted.low = value > 0.0 ? std::max(info.min, value / kTimes) : info.min;
-  fitted.high = value > 0.0 ? std::min(info.max, value * kTimes) : info.max;
+  const bool by_ratio = value > 0.0 && !fitted.azimuth;
+  fitted.low = by_ratio ? std::max(info.min, value / kTimes) : info.min;
+  fitted.high = by_ratio ? std::min(info.max, value * kTimes) : info.max;
   fitted.start = value;
   return fitted;
 }

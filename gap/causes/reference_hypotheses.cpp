@@ -35,7 +35,7 @@ void addReference(const std::string& pointer, const std::string& unit, double mo
 }
 
 /// The number of an object in the scenes; none if another has it anywhere.
-std::optional<std::size_t> numberOf(const Replay& replay, const std::string& id) {
+std::optional<std::size_t> numberOfObject(const Replay& replay, const std::string& id) {
   std::optional<std::size_t> number;
   for (const ReplaySample& sample : replay.samples()) {
     for (std::size_t i = 0; i < sample.scene.objects.size(); ++i) {
@@ -65,7 +65,7 @@ void addReferenceHypotheses(const Replay& replay, const std::vector<std::string>
   std::vector<std::string> setups;
   for (const SetUp& setup : setupsOf(replay)) setups.push_back(setup.name);
   for (const std::string& object : objects) {
-    const std::optional<std::size_t> number = numberOf(replay, object);
+    const std::optional<std::size_t> number = numberOfObject(replay, object);
     if (!number) continue;
     const std::string root = "/scene/" + std::to_string(*number) + "/pose/";
     for (const char* axis : {"position_m/0", "position_m/1"}) addReference(root + axis, "m", kFarthest_m, setups, list);

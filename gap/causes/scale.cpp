@@ -20,7 +20,7 @@ double Scale::toValue(double unit) const {
   return p_.whole ? std::round(value) : value;
 }
 
-bool Scale::mayBeAbsent() const { return p_.low <= p_.absent_at && p_.high >= p_.absent_at && !isAzimuth(p_); }
+bool Scale::mayBeAbsent() const { return p_.low <= p_.absent_at && p_.high >= p_.absent_at && !p_.azimuth; }
 
 double Scale::bend(double value) const {
   if (p_.logarithmic) return std::log(value);
@@ -31,8 +31,6 @@ double Scale::unbend(double bent) const {
   if (p_.logarithmic) return std::exp(bent);
   return mayBeAbsent() ? p_.absent_at + fine_ * std::sinh(bent) : bent;
 }
-
-bool isAzimuth(const FreeParameter& parameter) { return parameter.name.starts_with("azimuth_"); }
 
 UnitCube::UnitCube(std::vector<FreeParameter> parameters) : parameters_(std::move(parameters)) {
   for (const FreeParameter& parameter : parameters_) scales_.emplace_back(parameter);

@@ -24,9 +24,6 @@ class Scale {
   double fine_;  ///< distance from where it is absent up to which steps are even
 };
 
-/// Whether a parameter is an end of a sector: it may lie anywhere, and nothing is special about zero.
-[[nodiscard]] bool isAzimuth(const FreeParameter& parameter);
-
 /// All free numbers of a hypothesis, each mapped to [0, 1].
 class UnitCube {
  public:

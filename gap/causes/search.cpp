@@ -159,7 +159,7 @@ struct OptimiserCall {
 double onTrial(unsigned n, const double* x, double*, void* data) {
   auto& call = *static_cast<OptimiserCall*>(data);
   try {
-    return (*call.objective)(std::vector<double>(x, x + n));
+    return (*call.objective)(call.objective->edges().unitOf({x, x + n}));
   } catch (...) {
     call.error = std::current_exception();  // must not pass through C
     nlopt_force_stop(call.optimiser);
@@ -182,18 +182,22 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(search.algorithm, n), nlopt_destroy);
   OptimiserCall call{&objective, nullptr, optimiser.get()};
   nlopt_set_min_objective(optimiser.get(), onTrial, &call);
-  nlopt_set_lower_bounds1(optimiser.get(), 0.0);
-  nlopt_set_upper_bounds1(optimiser.get(), 1.0);
+  for (unsigned i = 0; i < n; ++i) {
+    const double beyond = objective.edges().isEdge(i) ? 0.5 : 0.0;
+    nlopt_set_lower_bound(optimiser.get(), static_cast<int>(i), -beyond);
+    nlopt_set_upper_bound(optimiser.get(), static_cast<int>(i), 1.0 + beyond);
+  }
   nlopt_set_initial_step(optimiser.get(), objective.firstSteps(search.first_step).data());
   nlopt_set_xtol_abs1(optimiser.get(), search.least_step);
   nlopt_set_ftol_rel(optimiser.get(), 0.2 * search.least_step);
   nlopt_set_ftol_abs(optimiser.get(), search.least_gain);
   nlopt_set_maxeval(optimiser.get(), search.trials);
   for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
+  std::vector<double> place = objective.edges().edgesOf(std::move(start));
   double best = 0.0;
-  nlopt_optimize(optimiser.get(), start.data(), &best);
+  nlopt_optimize(optimiser.get(), place.data(), &best);
   if (call.error) std::rethrow_exception(call.error);
-  return {std::move(start), best};
+  return {objective.edges().unitOf(std::move(place)), best};
 }
 
 /// Subplex, which a rugged objective does not lead astray, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308),
@@ -226,7 +230,8 @@ Objective::Objective(const Replay& replay, const Hypothesis& hypothesis, Evidenc
       hypothesis_(hypothesis),
       evidence_(std::move(evidence)),
       progress_(progress),
-      cube_(hypothesis.parameters) {}
+      cube_(hypothesis.parameters),
+      edges_(hypothesis.parameters) {}
 
 double Objective::operator()(const std::vector<double>& unit) const {
   core::stopIfCancelled(progress_);
@@ -236,14 +241,15 @@ double Objective::operator()(const std::vector<double>& unit) const {
 std::vector<double> Objective::firstSteps(double step) const {
   std::vector<double> steps;
   for (const FreeParameter& p : hypothesis_.parameters) {
-    steps.push_back(isAzimuth(p) ? kUsualStep_deg * step / kUsualStep / (p.high - p.low) : step);
+    const bool angle = p.azimuth || edges_.isEdge(steps.size());
+    steps.push_back(angle ? kUsualStep_deg * step / kUsualStep / (p.high - p.low) : step);
   }
   return steps;
 }
 
 bool Objective::smooth() const {
   return std::none_of(hypothesis_.parameters.begin(), hypothesis_.parameters.end(),
-                      [](const FreeParameter& p) { return isAzimuth(p) || p.whole; });
+                      [](const FreeParameter& p) { return p.azimuth || p.whole; });
 }
 
 bool Objective::tracesAnew(const std::vector<double>& unit) const {

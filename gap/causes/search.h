@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "gap/causes/evidence.h"
 #include "gap/causes/scale.h"
+#include "gap/causes/sector_edges.h"
 
 namespace gap {
 
@@ -18,7 +19,10 @@ class Objective {
   [[nodiscard]] std::vector<double> valuesAt(const std::vector<double>& unit) const { return cube_.valuesAt(unit); }
   [[nodiscard]] std::vector<double> unitOf(const std::vector<double>& values) const { return cube_.unitOf(values); }
   [[nodiscard]] double operator()(const std::vector<double>& unit) const;
-  /// In the unit cube. Ends of a sector are searched within a few degrees of their start: beyond, nothing leads back.
+  /// How sectors are searched.
+  [[nodiscard]] const SectorEdges& edges() const { return edges_; }
+  /// In the unit cube, of edges in place of middles and widths. Ends of a sector are searched within a few degrees of
+  /// their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
   /// Whether small steps change little: the ends of sectors and counts jump.
   [[nodiscard]] bool smooth() const;
@@ -32,6 +36,7 @@ class Objective {
   Evidence evidence_;
   const core::Progress& progress_;
   UnitCube cube_;
+  SectorEdges edges_;
 };
 
 /// A place in the unit cube.

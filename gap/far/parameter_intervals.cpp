@@ -55,7 +55,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
                                    squaresAbout(noise, p) / static_cast<double>(kNoiseRefits - 1));
     // Nothing is seen of a sector's end between two beams, and of no value what is finer than the search.
     const FreeParameter& parameter = hypothesis.parameters[p];
-    const double least = isAzimuth(parameter) ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
+    const double least = parameter.azimuth ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
     const double reach = std::max(t * error, least);
     intervals.push_back({values[p] - reach, values[p] + reach});
   }

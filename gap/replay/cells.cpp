@@ -63,6 +63,32 @@ double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
   return share > 0.0 ? std::min(1.0, share) : 1.0;
 }
 
+/// Where echoes of a surface come in groups that are apart, each of a third of them at least, only the group that is
+/// nearest to where the surface is recorded stays: every shot may see a false target as well, and their median would be
+/// between the two.
+void keepNearestGroup(std::vector<double>& ranges_m, double recorded_m, double apart_m) {
+  constexpr std::size_t kThird = 3;
+  const auto [nearest, farthest] = std::minmax_element(ranges_m.begin(), ranges_m.end());
+  if (*farthest - *nearest <= apart_m) return;
+  std::sort(ranges_m.begin(), ranges_m.end());
+  std::size_t groups = 0;
+  std::pair<std::size_t, std::size_t> kept;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t begin = 0, end = 1; end <= ranges_m.size(); ++end) {
+    if (end < ranges_m.size() && ranges_m[end] - ranges_m[end - 1] <= apart_m) continue;
+    if (kThird * (end - begin) >= ranges_m.size()) {
+      ++groups;
+      const double distance_m = std::abs(ranges_m[(begin + end - 1) / 2] - recorded_m);
+      if (distance_m < least_m) kept = {begin, end};
+      least_m = std::min(least_m, distance_m);
+    }
+    begin = end;
+  }
+  if (groups < 2) return;
+  ranges_m.resize(kept.second);
+  ranges_m.erase(ranges_m.begin(), ranges_m.begin() + static_cast<std::ptrdiff_t>(kept.first));
+}
+
 constexpr std::int32_t kNone = -1, kMixed = -2;
 
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
@@ -228,6 +254,7 @@ std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) c
     if (by_cell.of(c).size() < kFewForAMedian) continue;
     ranges.clear();
     for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
+    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, tolerance_m_);
     const double median = medianOf(ranges);
     for (double& range : ranges) range = std::abs(range - median);
     const double tolerance = std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges));

@@ -1,10 +1,12 @@
 #include "gap/which/closer_look.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/parallel.h"
 #include "gap/far/how_far.h"
+#include "gap/which/significance.h"
 
 namespace gap {
 
@@ -13,6 +15,7 @@ namespace {
 constexpr double kLittle = 0.5;          // of the gap
 constexpr double kDeviates = 3.0;        // standard errors, of a beam
 constexpr std::size_t kJudgedByAll = 8;  // of the causes that come nearest on these beams
+constexpr double kFarLess = 3.0;         // times less than so few beams show of what is in all of them
 
 /// Of every sample, by how many standard errors each beam deviates most.
 std::vector<std::vector<double>> deviations(const Replay& replay, const WhereResult& where) {
@@ -47,6 +50,19 @@ std::vector<std::uint32_t> chosenBy(const std::vector<double>& deviations, std::
   return order;
 }
 
+std::vector<std::vector<std::uint32_t>> beamsThatDeviate(const Replay& replay, const WhereResult& where,
+                                                         std::size_t most) {
+  std::vector<std::vector<std::uint32_t>> beams;
+  for (const std::vector<double>& of_sample : deviations(replay, where)) beams.push_back(chosenBy(of_sample, most));
+  return beams;
+}
+
+double beamsOf(const Replay& replay) {
+  std::size_t beams = 0;
+  for (const ReplaySample& sample : replay.samples()) beams += sample.beams.size();
+  return static_cast<double>(beams);
+}
+
 /// What explains most on these beams, if all of them say that it is nearer to what is fitted than its values before.
 std::vector<Candidate> nearerThanBefore(const Judge& exact, const std::vector<Candidate>& singles,
                                         std::vector<Candidate> closer, const core::Progress& progress) {
@@ -66,19 +82,31 @@ std::vector<Candidate> nearerThanBefore(const Judge& exact, const std::vector<Ca
 
 }  // namespace
 
+CloseJudge::CloseJudge(const Judge& quick, const Judge& exact, const WhereResult& deviating)
+    : replay(exact.replay.only(beamsThatDeviate(exact.replay, deviating, quick.replay.detail().most_beams),
+                               quick.replay.detail())),
+      judge{replay, quick.split, yardstickOf(replay, quick.split.held_out)} {}
+
+std::unique_ptr<const CloseJudge> closeJudgeBeside(const Judge& quick, const Judge& exact, const Candidate& best) {
+  if (&quick.replay == &exact.replay) return nullptr;
+  const double left = restOf(exact, best);
+  if (left < Yardstick::kClear_z) return nullptr;
+  // What is in all beams alike is as many standard deviations as the root of their number.
+  const double spread_over_all = left * std::sqrt(beamsOf(quick.replay) / beamsOf(exact.replay));
+  if (restOf(quick, best) > spread_over_all / kFarLess) return nullptr;
+  const World world = worldOf(exact.replay, best.hypothesis, best.values);
+  return std::make_unique<const CloseJudge>(quick, exact, whereIn(exact.replay, world, exact.split.fitted.seed));
+}
+
 void lookCloser(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 std::vector<Candidate>& singles, core::Progress& progress) {
   const bool all_took_part = &quick.replay == &exact.replay;
   if (all_took_part || singles.empty() || singles.front().explained >= kLittle) return;
-  std::vector<std::vector<std::uint32_t>> beams;
-  for (const std::vector<double>& of_sample : deviations(exact.replay, where))
-    beams.push_back(chosenBy(of_sample, quick.replay.detail().most_beams));
-  const Replay there = exact.replay.only(std::move(beams), quick.replay.detail());
-  Judge closely{there, quick.split, yardstickOf(there, quick.split.held_out)};
+  const CloseJudge closely(quick, exact, where);
   std::vector<Hypothesis> hypotheses;
   for (const Candidate& single : singles) hypotheses.push_back(single.hypothesis);
   std::vector<Candidate> nearer =
-      nearerThanBefore(exact, singles, rank(closely, hypotheses, where, progress), progress);
+      nearerThanBefore(exact, singles, rank(closely.judge, hypotheses, where, progress), progress);
   polish(exact, gaps, nearer, where, progress);
   takeBetter(std::move(nearer), singles);
 }

@@ -1,8 +1,25 @@
 #pragma once
 
+#include <memory>
+
 #include "gap/which/candidates.h"
 
 namespace gap {
+
+/// A judge by as few beams as another one, but of every sample half of them are those that deviate most in a world.
+struct CloseJudge {
+  Replay replay;
+  Judge judge;
+
+  /// `deviating`: the residuals of that world, by all beams.
+  CloseJudge(const Judge& quick, const Judge& exact, const WhereResult& deviating);
+};
+
+/// For the causes beside the best one, where that leaves a gap beyond doubt by all beams, and by the few far less than
+/// so few would show of what is in all of them: then something else is at work in beams that are not among the few (a
+/// false target in one column). Else nothing.
+[[nodiscard]] std::unique_ptr<const CloseJudge> closeJudgeBeside(const Judge& quick, const Judge& exact,
+                                                                 const Candidate& best);
 
 /// Where no cause explains half of a gap that is beyond doubt, it may lie in beams that are not among the few with
 /// which causes are chosen (echoes that merge on one side of one car). So all are searched once more on the beams that

@@ -211,10 +211,12 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
-bool namesAPair(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
   const bool room = roomForASecond(exact, decision.singles.front());
   if (!room && !mayHideASecond(exact, decision.singles.front())) return false;
+  const auto closely = room ? closeJudgeBeside(usual, exact, decision.singles.front()) : nullptr;
+  const Judge& quick = closely ? closely->judge : usual;
   core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs =
       room ? rankPairs(quick, decision.singles, part) : smallSeconds(quick, exact, decision.singles, part);

@@ -66,7 +66,7 @@ struct Shifts {
 std::vector<std::size_t> gradualIn(const Hypothesis& hypothesis) {
   std::vector<std::size_t> gradual;
   for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i)
-    if (!hypothesis.parameters[i].whole && !isAzimuth(hypothesis.parameters[i])) gradual.push_back(i);
+    if (const FreeParameter& p = hypothesis.parameters[i]; !p.whole && !p.azimuth) gradual.push_back(i);
   return gradual;
 }
 

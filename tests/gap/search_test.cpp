@@ -194,6 +194,18 @@ TEST_F(Search, FitsTheEndsOfASectorThatIsNearlyTheWholeView) {
   EXPECT_NEAR(found.values[2], 16.4, 0.6);
 }
 
+// A light's sector is given by its middle and its width: with one edge in its place and the other 5° inside, any other
+// middle alone, and nearly any other width alone, is worse.
+TEST_F(Search, MovesOneEdgeOfASectorWhereTheOtherIsInItsPlace) {
+  measure({{"blinding", {{"azimuth_deg", -3.9}, {"width_deg", 13.0}, {"irradiance", 0.5}, {"gain_loss", 0.6}}}});
+  const auto forms = gap::hypothesesFor(*replay_, {"blinding"});
+  const gap::Hypothesis blinding = test_support::hypothesisNamed(forms, "blinding", "desensitised");
+  ASSERT_EQ(blinding.parameters[2].name, "width_deg");
+  const auto found = gap::fitFrom(*replay_, blinding, split_.fitted, {-1.4, 0.5, 8.0, 0.6}, core::SilentProgress());
+  EXPECT_NEAR(found[0] - found[2] / 2.0, -10.4, 0.6);
+  EXPECT_NEAR(found[0] + found[2] / 2.0, 2.6, 0.6);
+}
+
 // Fitted walls end at 13.9 m and begin at 27; the one that the gate cuts is held out.
 TEST_F(Search, TakesWhatTheFittedSamplesLeaveOpenFromWhereEchoesAreLost) {
   measure({{"range-gating", {{"from_m", 19.6}, {"to_m", 1000.0}}}});

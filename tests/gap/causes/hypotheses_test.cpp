@@ -11,6 +11,7 @@
 #include "gap/causes/fit.h"
 #include "gap/causes/layer_gains.h"
 #include "model/simulate.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -57,6 +58,33 @@ TEST(Hypotheses, AnEffectIsTriedInEveryFormThatItDeclares) {
   ASSERT_NE(roll, all.end());
   const gap::World turned = gap::worldOf(replay, *roll, {0.7});
   EXPECT_EQ(turned.model.effects.back().parameters.numbers, (std::map<std::string, double>{{"roll_deg", 0.7}}));
+}
+
+// An azimuth has neither a sign nor a size that a ratio of the recorded one would keep.
+TEST(Hypotheses, AnAzimuthOfAnActiveEffectMayLieAnywhere) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith(
+      {{"cover-contamination", {{"attenuation", 0.2}, {"azimuth_from_deg", -3.0}, {"azimuth_to_deg", 4.0}}}});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Hypothesis to =
+      test_support::hypothesisNamed(gap::hypothesesFor(replay, {}), "/effects/cover-contamination/azimuth_to_deg");
+  EXPECT_TRUE(to.parameters.at(0).azimuth);
+  EXPECT_LT(to.parameters.at(0).low, -30.0);
+  EXPECT_GT(to.parameters.at(0).high, 40.0);
+}
+
+// Offsets are named after their set-ups, which people name as they like.
+TEST(Hypotheses, AnOffsetIsNoAzimuthWhateverItsSetUpIsCalled) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  auto measured = world.measuredBy(model, 0.4);
+  for (model::Sample& sample : measured.samples) sample.setup = "azimuth_" + sample.id;
+  const gap::Replay replay(measured, model);
+  const gap::Hypothesis varying =
+      test_support::hypothesisNamed(gap::hypothesesFor(replay, {}), "/scene/0/pose/position_m/0", "per set-up");
+  ASSERT_EQ(varying.parameters.size(), measured.samples.size());
+  for (const gap::FreeParameter& offset : varying.parameters) EXPECT_FALSE(offset.azimuth) << offset.name;
 }
 
 // Where both numbers of it are free, whatever scatters by one number fits as well and is simpler.

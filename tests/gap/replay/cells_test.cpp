@@ -1,6 +1,8 @@
 #include "gap/replay/cells.h"
 
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "gap/replay/replay.h"
 #include "tests/gap/small_world.h"
@@ -42,6 +44,41 @@ TEST(Cells, ThatABeamGrazesAreAtAnEdgeWhereTheyAreLongerThanThePulse) {
   EXPECT_GT(at_edge, 0U);
   for (const gap::Cell& cell : surfacesOnce([](auto& wall) { wall["pose"]["yaw_pitch_roll_deg"][0] = 60.0; }))
     EXPECT_EQ(cell.at_edge, cell.share < gap::kWholeBeam) << "0.03 m long";
+}
+
+/// Of two echoes in every shot, the surface's own and one so far behind it, some of which are lost: how many of either
+/// the surface's cell keeps.
+std::pair<int, int> keptBesideAFalseTarget(double behind_m, int own, int others) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const gap::Replay replay(experiment, model);
+  const gap::CellLayout& layout = *replay.samples().front().layout;
+  const gap::Cell& surface = layout.cells().front();
+  std::vector<model::Shot> shots(static_cast<std::size_t>(own + others));
+  for (int i = 0; i < own + others; ++i) {
+    model::Shot& shot = shots[static_cast<std::size_t>(i)];
+    shot.beam = surface.beam;
+    shot.range_m = surface.anchor_m + 0.001 * i + (i < own ? 0.0 : behind_m);
+  }
+  std::pair<int, int> kept;
+  const auto cells = layout.cellsOf(shots);
+  for (int i = 0; i < own + others; ++i)
+    if (cells[static_cast<std::size_t>(i)] == 0) ++(i < own ? kept.first : kept.second);
+  return kept;
+}
+
+// The median of both would be between them, or with the one of which fewer are lost.
+TEST(Cells, OfASurfaceKeepTheEchoesNearestToItWhereEveryShotSeesAFalseTargetToo) {
+  for (const double behind_m : {1.3, -1.3}) {
+    for (const auto& [own, others] : {std::pair(8, 8), std::pair(8, 7), std::pair(7, 8)})
+      EXPECT_EQ(keptBesideAFalseTarget(behind_m, own, others), std::pair(own, 0)) << behind_m << " " << own;
+  }
+}
+
+// Where hardly any echo comes from where the surface is recorded, it stands elsewhere.
+TEST(Cells, OfASurfaceKeepTheEchoesThatComeOftenWhereverTheyComeFrom) {
+  EXPECT_EQ(keptBesideAFalseTarget(0.6, 2, 14), std::pair(0, 14));
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "gap/which/closer_look.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "core/physics.h"
 #include "gap/far/how_far.h"
+#include "gap/which/pairs.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -12,9 +15,15 @@ using test_support::SmallWorld;
 
 constexpr double kFrom_deg = 5.5, kTo_deg = 8.5;
 
+const SmallWorld::Effects kDirt = {
+    {"cover-contamination", {{"attenuation", 0.4}, {"azimuth_from_deg", kFrom_deg}, {"azimuth_to_deg", kTo_deg}}}};
+
 /// Dirt in front of three columns of beams, and causes that were chosen on beams beside them.
 class ChosenBesideTheDirt : public testing::Test {
  protected:
+  explicit ChosenBesideTheDirt(const SmallWorld::Effects& truth = kDirt)
+      : measured_(world_.measuredBy(SmallWorld::modelWith(truth), 0.4)) {}
+
   [[nodiscard]] gap::Replay withoutTheDirtyBeams() const {
     std::vector<std::vector<std::uint32_t>> clean;
     for (const gap::ReplaySample& sample : replay_.samples()) {
@@ -36,10 +45,7 @@ class ChosenBesideTheDirt : public testing::Test {
   }
 
   SmallWorld world_;
-  model::Experiment measured_ = world_.measuredBy(
-      SmallWorld::modelWith({{"cover-contamination",
-                              {{"attenuation", 0.4}, {"azimuth_from_deg", kFrom_deg}, {"azimuth_to_deg", kTo_deg}}}}),
-      0.4);
+  model::Experiment measured_;
   gap::Replay replay_{measured_, SmallWorld::modelWith({})};
   gap::Split split_ = gap::splitOf(replay_, 1);
   gap::Judge exact_{replay_, split_, gap::yardstickOf(replay_, split_.held_out)};
@@ -67,6 +73,49 @@ TEST_F(ChosenBesideTheDirt, NothingIsLookedAtAgainWhereAllBeamsTookPart) {
   }
   gap::lookCloser(exact_, exact_, gaps_, where_, singles, progress_);
   for (const gap::Candidate& single : singles) EXPECT_TRUE(single.values.empty());
+}
+
+/// The same dirt in a world in which all ranges are wrong, too.
+class DirtBesideAnOffset : public ChosenBesideTheDirt {
+ protected:
+  DirtBesideAnOffset() : ChosenBesideTheDirt(both()) {}
+  [[nodiscard]] static SmallWorld::Effects both() {
+    SmallWorld::Effects effects = kDirt;
+    effects["range-offset"] = {{"offset_m", 0.1}};
+    return effects;
+  }
+  /// The offset, as the clean beams tell it.
+  [[nodiscard]] gap::Candidate offset(double offset_m = 0.1) const {
+    gap::Candidate candidate{
+        test_support::hypothesisNamed(gap::hypothesesFor(replay_, {"range-offset"}), "range-offset"), {offset_m}};
+    exact_.hear(candidate);
+    return candidate;
+  }
+};
+
+// By all beams much is left beside the offset, by the clean ones nothing.
+TEST_F(DirtBesideAnOffset, IsSoughtInTheBeamsThatTheOffsetLeavesWrong) {
+  const gap::Replay clean = withoutTheDirtyBeams();
+  const gap::Judge quick{clean, split_, gap::yardstickOf(clean, split_.held_out)};
+  const auto closely = gap::closeJudgeBeside(quick, exact_, offset());
+  ASSERT_NE(closely, nullptr);
+  const auto hypotheses = gap::hypothesesFor(replay_, {"range-offset", "cover-contamination"});
+  const auto singles = gap::rank(closely->judge, hypotheses, where_, progress_);
+  const auto pairs = gap::rankPairs(closely->judge, singles, progress_);
+  ASSERT_FALSE(pairs.empty());
+  const auto members = gap::membersOf(pairs.front());
+  const auto dirt = std::find_if(members.begin(), members.end(),
+                                 [](const gap::Candidate& m) { return m.hypothesis.name == "cover-contamination"; });
+  ASSERT_NE(dirt, members.end());
+  EXPECT_NEAR(dirt->values.at(0), 0.4, 0.02);
+}
+
+// What is wrong in every beam shows in any few of them.
+TEST_F(DirtBesideAnOffset, IsSoughtInTheUsualBeamsWhereTheseAreWrongToo) {
+  const gap::Replay clean = withoutTheDirtyBeams();
+  const gap::Judge quick{clean, split_, gap::yardstickOf(clean, split_.held_out)};
+  EXPECT_EQ(gap::closeJudgeBeside(quick, exact_, offset(0.05)), nullptr);
+  EXPECT_EQ(gap::closeJudgeBeside(exact_, exact_, offset()), nullptr);
 }
 
 }  // namespace
