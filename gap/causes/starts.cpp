@@ -64,17 +64,21 @@ class Starts {
     }
     list_.push_back(std::move(start));
   }
-  /// Every start so far with several values of `strength`.
+  /// Every start so far with several strengths: of all numbers that are not settled together, and of each alone (a
+  /// light may take much of a receiver's gain and make hardly any noise).
   void vary(const std::vector<std::string>& settled) {
+    std::vector<std::vector<std::size_t>> strengthened{{}};
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      if (std::count(settled.begin(), settled.end(), parameters_[i].name) == 0) strengthened[0].push_back(i);
+    const std::vector<std::size_t> all = strengthened[0];
+    for (const std::size_t i : all)
+      if (all.size() > 1) strengthened.push_back({i});
     std::vector<std::vector<double>> varied;
     for (const auto& start : list_) {
-      for (std::size_t k = 0; k < kStrengths.size(); ++k) {
-        varied.push_back(start);
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-          const FreeParameter& p = parameters_[i];
-          if (std::count(settled.begin(), settled.end(), p.name) > 0) continue;
-          varied.back()[i] = p.logarithmic ? p.low * std::pow(p.high / p.low, kLogStrengths[k])
-                                           : p.low + kStrengths[k] * (p.high - p.low);
+      for (const auto& numbers : strengthened) {
+        for (std::size_t k = 0; k < kStrengths.size(); ++k) {
+          varied.push_back(start);
+          for (const std::size_t i : numbers) varied.back()[i] = strength(parameters_[i], k);
         }
       }
     }
@@ -83,6 +87,10 @@ class Starts {
   [[nodiscard]] std::vector<std::vector<double>> list() const { return list_; }
 
  private:
+  static double strength(const FreeParameter& p, std::size_t k) {
+    return p.logarithmic ? p.low * std::pow(p.high / p.low, kLogStrengths[k])
+                         : p.low + kStrengths[k] * (p.high - p.low);
+  }
   [[nodiscard]] std::optional<std::size_t> place(const std::string& name) const {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       if (parameters_[i].name == name) return i;

@@ -104,6 +104,23 @@ TEST_F(Search, LooksForAFalseTargetOnBothSidesOfTheEchoThatItMayPull) {
                                             DoubleNear(13.3, 1e-9), DoubleNear(13.5, 1e-9)));
 }
 
+// From an irradiance that saturates the receiver no step leads to a gain that gives way alone.
+TEST_F(Search, BeginsWithEachStrengthOfALightAloneToo) {
+  measure({});
+  gap::WhereResult where;
+  where.rows.push_back({.measurand = "intensity", .covariate = "azimuth_deg", .low = -6.0, .high = 4.0});
+  const auto forms = gap::hypothesesFor(*replay_, {"blinding"});
+  const gap::Hypothesis blinding = test_support::hypothesisNamed(forms, "blinding", "desensitised");
+  ASSERT_EQ(blinding.parameters[1].name, "irradiance");
+  ASSERT_EQ(blinding.parameters[3].name, "gain_loss");
+  double largest_loss = 0.0;
+  for (const auto& start : gap::startsFrom(*replay_, blinding, where)) {
+    EXPECT_DOUBLE_EQ(start[0], -1.0);  // azimuth_deg
+    if (start[1] < 5.0) largest_loss = std::max(largest_loss, start[3]);
+  }
+  EXPECT_GT(largest_loss, 0.5);
+}
+
 // A cloud returns echoes, as the model has it; one column of beams elsewhere sees a false target.
 TEST_F(Search, LooksForAFalseTargetWhereTheModelExpectsNoEcho) {
   const SmallWorld::Effects cloud = {{"exhaust-cloud", {{"centre", {4.0, -0.7, 0.0}}, {"size_m", 1.5}}}};
