@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gap/replay/replay.h"
+#include "gap/replay/replay_sample.h"
 
 namespace gap {
 

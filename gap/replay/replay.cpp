@@ -4,130 +4,23 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/error.h"
 #include "core/physics.h"
 #include "gap/replay/data_checks.h"
-#include "gap/replay/joined_hits.h"
+#include "gap/replay/sample_tracing.h"
 
 namespace gap {
 
 namespace {
 
 constexpr int kBaselineFrames = 6;             // enough for means
-constexpr int kFewestRays = 9;                 // per direction, whatever the model has
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 constexpr std::size_t kMostCells = 4000000;    // of sensors that a world leaves alone, remembered, 56 bytes each
-
-/// About so many beams, in pairs of neighbouring columns; empty if that is all of them.
-std::vector<std::uint32_t> evenlyOf(const std::vector<model::Beam>& beams, std::size_t most) {
-  const std::size_t stride = (beams.size() + most - 1) / most;
-  if (stride < 2) return {};
-  // Layers take turns, so that no direction is left out in all of them.
-  const auto turnOf = [](const model::Beam& beam) {
-    return static_cast<std::size_t>(beam.column) / 2 + static_cast<std::size_t>(beam.layer);
-  };
-  std::map<std::size_t, std::size_t> turns;  // those that these beams have, numbered
-  for (const model::Beam& beam : beams) turns.try_emplace(turnOf(beam));
-  std::size_t number = 0;
-  for (auto& turn : turns) turn.second = number++;
-  std::vector<std::uint32_t> taken;
-  for (std::uint32_t b = 0; b < beams.size(); ++b)
-    if (turns.at(turnOf(beams[b])) % stride == 0) taken.push_back(b);
-  return taken;
-}
-
-/// Leaves out all beams but these, with their measured detections.
-void take(ReplaySample& sample, std::vector<std::uint32_t> beams) {
-  sample.whole_scan = std::move(sample.beams);
-  sample.taken = std::move(beams);
-  constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(sample.whole_scan.size(), kLeftOut);
-  sample.beams.clear();
-  for (const std::uint32_t b : sample.taken) {
-    place[b] = static_cast<std::uint32_t>(sample.beams.size());
-    sample.beams.push_back(sample.whole_scan[b]);
-  }
-  std::vector<std::size_t> kept;
-  std::vector<std::uint32_t> beam_of;
-  for (std::size_t i = 0; i < sample.beam_of.size(); ++i) {
-    if (place[sample.beam_of[i]] == kLeftOut) continue;
-    kept.push_back(i);
-    beam_of.push_back(place[sample.beam_of[i]]);
-  }
-  sample.measured = core::selected(sample.measured, kept);
-  sample.beam_of = std::move(beam_of);
-}
-
-/// The shots of the beams taken, numbered among these.
-void keep(const std::vector<std::uint32_t>& taken, std::vector<model::Shot>& shots) {
-  const auto placeOf = [&](std::uint32_t beam) { return std::lower_bound(taken.begin(), taken.end(), beam); };
-  std::erase_if(shots, [&](const model::Shot& shot) {
-    const auto place = placeOf(shot.beam);
-    return place == taken.end() || *place != shot.beam;
-  });
-  for (model::Shot& shot : shots) shot.beam = static_cast<std::uint32_t>(placeOf(shot.beam) - taken.begin());
-}
-
-/// What a foreign model reported, as shots of these beams. Throws InputError if directions are missing.
-ForeignFrames foreignFrames(const model::ExternalRun& run, const ReplaySample& sample, const model::LidarModel& model) {
-  const core::Place place{.file = model.file, .item = "sample '" + sample.sample->id + "'"};
-  if (!run.detections.hasDirections() && sample.measured.hasDirections()) {
-    throw core::InputError(place, "was simulated without directions; the measurement has them.",
-                           "Let the model write layer, azimuth_rad and elevation_rad.");
-  }
-  const auto beam_of = beamsOfDetections(run.detections, sample.beams, model.file);
-  const core::Detections& d = run.detections;
-  ForeignFrames frames{.shots = {}, .frames = run.frames};
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    frames.shots.push_back({.beam = beam_of[i],
-                            .frame = d.frame[i],
-                            .echo = d.echo.empty() ? 1 : d.echo[i],
-                            .range_m = d.range_m[i],
-                            .epw_m = d.epw_m.empty() ? 0.0 : d.epw_m[i],
-                            .intensity_nw = d.intensity.empty() ? 0.0 : d.intensity[i]});
-  }
-  std::stable_sort(frames.shots.begin(), frames.shots.end(),
-                   [](const model::Shot& a, const model::Shot& b) { return a.frame < b.frame; });
-  return frames;
-}
 
 bool couplesBeams(const World& world, const std::string& sensor) {
   return std::any_of(world.model.effects.begin(), world.model.effects.end(), [&](const model::ActiveEffect& effect) {
     return effect.actsOn(sensor) && model::findEffect(effect.name)->make(effect.parameters)->couplesBeams();
   });
-}
-
-/// The corners of the beam, without power: a surface that ends between them and the outermost rays of an even grid
-/// would seem to catch the whole beam.
-void addCorners(model::SubRays& rays, model::BeamProfile profile, const model::AngularSize& divergence) {
-  const model::SubRays halfway = model::subRaysOf(profile, divergence, 2, 2);
-  for (std::size_t i = 0; i < halfway.size(); ++i) rays.add(2.0 * halfway.left_rad[i], 2.0 * halfway.up_rad[i], 0.0);
-}
-
-/// Whether a beam meets faces of one object that stand at an angle to each other, as at the corner of a box: how much
-/// comes back depends on where it is parted between them.
-bool isFolded(const model::HitsOfBeam& hits) {
-  constexpr float kFold = 0.05F;  // on a plane the cosine changes by less than the beam is wide [rad]
-  float least = 1.0F, most = 0.0F;
-  for (const model::Hit& hit : hits) {
-    least = std::min(least, hit.cos_incidence);
-    most = std::max(most, hit.cos_incidence);
-  }
-  return most - least > kFold;
-}
-
-/// The beams whose sub-rays do not all meet one face of one object.
-std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
-  std::vector<std::uint32_t> partly;
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
-    const auto of_beam = hits.of(b);
-    if (of_beam.empty() && hits.rays.size() > 1) continue;
-    bool whole = of_beam.size() == hits.rays.size() && !isFolded(of_beam);
-    for (std::size_t i = 0; whole && i < of_beam.size(); ++i) whole = of_beam[i].object == of_beam[0].object;
-    if (!whole) partly.push_back(b);
-  }
-  return partly;
 }
 
 /// Where an edge cuts a beam the sub-rays decide: a hundredth of a beam beyond an edge is known to 0.4 of itself.
@@ -144,56 +37,39 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
                std::span<const model::ExternalRun> foreign, const std::vector<std::vector<std::uint32_t>>& chosen)
     : experiment_(experiment), detail_(detail), traced_(kMostBytes), foreign_(foreign) {
   baseline_.model = baseline;
-  std::array<bool, kChannels> everywhere{true, true, true};
+  CommonChannels common;
   for (std::size_t i = 0; i < experiment.samples.size(); ++i) {
-    ReplaySample replay;
-    replay.index = i;
-    replay.sample = &experiment.samples[i];
-    replay.measured = model::readMeasurements(experiment, experiment.samples[i]);
-    replay.beams = model::beamsOfSample(experiment, baseline, experiment.samples[i]);
-    requireSameScan(experiment, replay, replay.beams, baseline);
-    replay.beam_of = beamsOfDetections(replay.measured, replay.beams, experiment.samples[i].measurements);
-    replay.frames = experiment.samples[i].frames;
-    requireFrames(replay);
-    if (!foreign_.empty()) replay.foreign = foreignFrames(foreign[i], replay, baseline);
-    if (replay.measured.hasDirections()) {
-      auto beams = chosen.empty() ? evenlyOf(replay.beams, detail.most_beams) : chosen[i];
-      if (!beams.empty()) take(replay, std::move(beams));
-    }
-    if (!foreign_.empty() && !replay.taken.empty()) keep(replay.taken, replay.foreign.shots);
-    if (replay.measured.size() > 0) {
-      everywhere[kEpw] = everywhere[kEpw] && !replay.measured.epw_m.empty();
-      everywhere[kIntensity] = everywhere[kIntensity] && !replay.measured.intensity.empty();
-    }
-    if (!foreign_.empty() && foreign[i].detections.size() > 0) {
-      everywhere[kEpw] = everywhere[kEpw] && !foreign[i].detections.epw_m.empty();
-      everywhere[kIntensity] = everywhere[kIntensity] && !foreign[i].detections.intensity.empty();
-    }
-    samples_.push_back(std::move(replay));
+    const model::ExternalRun* const run = foreign_.empty() ? nullptr : &foreign_[i];
+    samples_.push_back(readSample(experiment, i, baseline, run, [&](const std::vector<model::Beam>& whole_scan) {
+      return chosen.empty() ? evenlyOf(whole_scan, detail.most_beams) : chosen[i];
+    }));
+    common.add(samples_.back().measured);
+    if (run != nullptr) common.add(run->detections);
   }
   requireDetections(experiment, samples_);
   for (const Channel channel : {kRange, kEpw, kIntensity}) {
     for (const model::Measurand& measurand : experiment.measurands) {
-      if (measurand.column != columnOf(channel) || !everywhere[channel]) continue;
+      if (measurand.column != columnOf(channel) || !common.has(channel)) continue;
       channels_.push_back(channel);
       resolution_[channel] = measurand.resolution;
     }
   }
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const Geometry geometry = geometryOf(baseline_, s);
-    const model::SignalChain chain(baseline.sensor(samples_[s].sample->sensor),
-                                   baseline.effectsOf(samples_[s].sample->sensor), geometry->situation.environment);
-    samples_[s].scene = geometry->situation.scene;
-    samples_[s].layout =
-        std::make_unique<CellLayout>(geometry->hits, samples_[s].scene, chain, samples_[s].measured.hasDirections());
-    samples_[s].statistics = samples_[s].layout->statisticsOf(samples_[s].measured, samples_[s].beam_of);
-    samples_[s].power_deviation.resize(samples_[s].layout->cells().size());
-    for (const model::Epistemic& epistemic : samples_[s].sample->epistemic) {
-      addTolerance(samples_[s], s, epistemic);
-    }
-    addShareErrors(samples_[s]);
-    samples_[s].baseline = simulate(baseline_, s, kBaselineFrames, seed());
-  }
+  for (std::size_t s = 0; s < samples_.size(); ++s) pairWithBaseline(s);
+}
+
+void Replay::pairWithBaseline(std::size_t s) {
+  ReplaySample& sample = samples_[s];
+  const std::string& sensor = sample.sample->sensor;
+  const Geometry geometry = geometryOf(baseline_, s);
+  const model::SignalChain chain(baseline_.model.sensor(sensor), baseline_.model.effectsOf(sensor),
+                                 geometry->situation.environment);
+  sample.scene = geometry->situation.scene;
+  sample.layout = std::make_unique<CellLayout>(geometry->hits, sample.scene, chain, sample.measured.hasDirections());
+  sample.statistics = sample.layout->statisticsOf(sample.measured, sample.beam_of);
+  sample.power_deviation.resize(sample.layout->cells().size());
+  for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);
+  addShareErrors(sample);
+  sample.baseline = simulate(baseline_, s, kBaselineFrames, seed());
 }
 
 void Replay::addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const {
@@ -217,49 +93,12 @@ void Replay::addTolerance(ReplaySample& sample, std::size_t index, const model::
   sample.tolerances.push_back(std::move(tolerance));
 }
 
-Replay::Geometry Replay::trace(const World& world, std::size_t s) const {
-  const model::Sample& sample = *samples_[s].sample;
-  auto traced = std::make_shared<model::TracedSample>();
-  traced->situation = situationIn(world, experiment_, sample);
-  const model::SensorProfile& sensor = world.model.sensor(sample.sensor);
-  const model::SignalChain chain(sensor, world.model.effectsOf(sample.sensor), traced->situation.environment);
-  const model::ChainSettings& settings = chain.settings();
-  const bool whole = chain.couplesBeams() && !samples_[s].taken.empty();
-  std::vector<model::Beam> beams = whole ? samples_[s].whole_scan : samples_[s].beams;
-  chain.aim(beams);
-  // Of the recorded pulse: worlds that differ in theirs share their hits.
-  const double pulse_ns = baseline_.model.sensor(sample.sensor).emitter.pulse_fwhm_ns;
-  const double range_bin_m = core::kMetresPerNanosecond * pulse_ns / 2.0 / 40.0;
-  const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
-  if (detail_.edge_rays == 0) {
-    traced->hits = model::traceWith(chain, traced->situation.scene, std::move(beams),
-                                    chain.subRays(world.model.rays_horizontal, world.model.rays_vertical));
-    if (detail_.joined) traced->hits = joined(traced->hits, {}, {}, range_bin_m, left_bin_rad);
-    return traced;
-  }
-  const int horizontal = std::max(kFewestRays, world.model.rays_horizontal);
-  const int vertical = std::max(kFewestRays, world.model.rays_vertical);
-  const model::Scene& scene = traced->situation.scene;
-  model::SubRays rays = chain.subRays(horizontal, vertical);
-  addCorners(rays, sensor.emitter.beam_profile, settings.divergence);
-  const model::BeamHits all = model::traceWith(chain, scene, std::move(beams), std::move(rays));
-  const auto edges = partlyHit(all);
-  std::vector<model::Beam> edge_beams;
-  for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
-  const model::BeamHits dense =
-      model::traceWith(chain, scene, std::move(edge_beams),
-                       chain.subRays(std::max(detail_.edge_rays, horizontal), std::max(detail_.edge_rays, vertical),
-                                     model::Grid::kSheared));
-  traced->hits = joined(all, edges, dense, range_bin_m, left_bin_rad);
-  return traced;
-}
-
 Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
   const bool whole = couplesBeams(world, samples_[sample].sample->sensor) && !samples_[sample].taken.empty();
   const std::string key = std::to_string(sample) + (whole ? "*" : ":") + geometryKey(world, *samples_[sample].sample);
   Geometry geometry = traced_.find(key);
   if (geometry) return geometry;
-  geometry = trace(world, sample);
+  geometry = traceSample(experiment_, samples_[sample], world, baseline_, detail_);
   traced_.remember(key, geometry);
   return geometry;
 }
@@ -323,7 +162,7 @@ std::vector<model::Shot> Replay::fireBuiltIn(const World& world, std::size_t s, 
                                  geometry->situation.environment);
   std::vector<model::Shot> shots = chain.run(
       geometry->hits, scene, {.seed = seed, .sample = static_cast<std::uint32_t>(samples_[s].index), .frames = frames});
-  if (geometry->hits.beams.size() != samples_[s].beams.size()) keep(samples_[s].taken, shots);
+  if (geometry->hits.beams.size() != samples_[s].beams.size()) keepTaken(samples_[s].taken, shots);
   return shots;
 }
 

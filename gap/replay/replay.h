@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,53 +9,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "gap/replay/cells.h"
 #include "gap/replay/geometry_cache.h"
-#include "gap/replay/transport.h"
+#include "gap/replay/replay_sample.h"
 #include "gap/replay/world.h"
 #include "model/external/external_runs.h"
 #include "model/simulate.h"
 
 namespace gap {
-
-/// A recorded quantity of a sample that is known to within an interval only (`epistemic` of the experiment).
-struct Tolerance {
-  std::string pointer;
-  double low = 0.0;  ///< offset to the recorded value
-  double high = 0.0;
-  std::vector<float> range_per_unit;  ///< of every surface cell: how its range moves with the quantity [m/unit]
-};
-
-/// One sample with its measurement and the cells that pair it with simulations.
-struct ReplaySample {
-  std::size_t index = 0;  ///< in the experiment
-  const model::Sample* sample = nullptr;
-  model::Scene scene;  ///< as recorded; a patch may bring or take objects, so numbers of objects hold in a sample only
-  core::Detections measured;
-  std::vector<std::uint32_t> beam_of;      ///< of each measured detection
-  std::vector<CellStatistics> statistics;  ///< of the measurement
-  std::vector<CellStatistics> baseline;    ///< of a few frames of the baseline
-  std::unique_ptr<CellLayout> layout;
-  std::vector<Tolerance> tolerances;
-  /// Of every cell: how far the power that it receives may be off, relative to it: as the reference moves within its
-  /// epistemic intervals, and by the sub-rays. Large where an edge cuts the beam.
-  std::vector<double> power_deviation;
-  std::vector<model::Beam> beams;
-  std::vector<std::uint32_t> taken;     ///< which beams of the scan these are; empty: all of them
-  std::vector<model::Beam> whole_scan;  ///< if only some are taken
-  int frames = 1;
-  ForeignFrames foreign;  ///< what the model under test reported, if it is not the built-in lidar
-};
-
-/// How closely a replay looks.
-struct Detail {
-  /// Of every sample at most about so many take part, in pairs of neighbouring columns all over the scan.
-  std::size_t most_beams = std::numeric_limits<std::size_t>::max();
-  /// Per direction, of the denser, sheared grid of partly hit beams: their power is right to one over its square. 0:
-  /// every beam on the model's own grid, as `fidelis simulate` traces it.
-  int edge_rays = 45;
-  bool joined = true;  ///< hits on one object are one, where they are near each other
-};
 
 /// Re-simulates the samples of an experiment in any world, with geometry that is traced once and shared. Partly hit
 /// beams are traced more densely than the model's own grid, so that they do not differ by the grid alone, and hits on
@@ -109,7 +68,8 @@ class Replay {
   /// Where several sensors stand side by side: whether this one sees nothing of what the world changes.
   [[nodiscard]] bool untouched(const World& world, const std::string& sensor) const;
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
-  [[nodiscard]] Geometry trace(const World& world, std::size_t sample) const;
+  /// Cells of a sample that was read, and what the baseline says of them.
+  void pairWithBaseline(std::size_t sample);
   void addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const;
   [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
                                               std::uint64_t seed) const;

@@ -228,10 +228,11 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
   const Candidate& best = decision.singles.front();
+  const double left_by_best = room ? restOf(exact, best) : 0.0;
   SecondProofs proofs(exact, best, decision.singles.size());
   const auto earns = [&](const Candidate& pair) {
     if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;
-    return (room && earnsItsSecond(quick, exact, best, pair)) || proofs.of(pair);
+    return (room && earnsItsSecond(quick, exact, best, left_by_best, pair)) || proofs.of(pair);
   };
   // What comes nearest may only scatter as the rest of the first cause does, and leave what another one takes.
   const auto last = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(kPairsHeard, pairs.size()));

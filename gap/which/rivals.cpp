@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gap/which/significance.h"
+#include "gap/which/separation.h"
 #include "model/effects/effect.h"
 
 namespace gap {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/far/how_far.h"
+#include "gap/which/separation.h"
 #include "gap/which/significance.h"
 
 namespace gap {
@@ -48,8 +49,7 @@ bool earnsByShare(const Judge& judge, const Candidate& single, const Candidate& 
 /// A pair that leaves nothing where its better member leaves something proves its second cause, however small a part of
 /// the gap that is: if it halves what is left where all data are pooled, or if what that member leaves would itself be
 /// a gap beyond doubt.
-bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate& pair) {
-  const double left_by_single = restOf(judge, single);
+bool leavesNothing(const Judge& judge, const Candidate& single, double left_by_single, const Candidate& pair) {
   if (left_by_single < kNoRest || restOf(judge, pair) > kNoRest) return false;
   const bool halves = pair.total_left < kPairGain * single.total_left;
   const bool beyond_doubt = left_by_single > Yardstick::kClear_z && pair.total_left < single.total_left + kMaterialRest;
@@ -59,10 +59,10 @@ bool leavesNothing(const Judge& judge, const Candidate& single, const Candidate&
 /// Of a gap a thousand times its noise, a fiftieth is more than many a gap: a second cause that takes nearly all of
 /// what the better member leaves of the cells, and half of what it leaves of the total gap, needs no least gain, if
 /// that would itself be a gap beyond doubt.
-bool takesNearlyAll(const Judge& judge, const Candidate& single, const Candidate& pair) {
+bool takesNearlyAll(const Candidate& single, double left_by_single, const Candidate& pair) {
   const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
   return of_pair.discrepancy < (1.0 - kNearlyAll) * of_single.discrepancy &&
-         of_pair.total < kPairGain * of_single.total && restOf(judge, single) > Yardstick::kClear_z;
+         of_pair.total < kPairGain * of_single.total && left_by_single > Yardstick::kClear_z;
 }
 
 /// Whether what is beside a wrong reference may be no more than what the reference leaves: where it puts edges decides
@@ -124,9 +124,11 @@ bool SecondProofs::of(const Candidate& pair) {
   return provesItself(second, causes_) && second.gain - second.by_chance >= kOfTheWay * whole_way;
 }
 
-bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
+bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
+                    const Candidate& pair) {
   return isNearer(quick, exact, pair, best) && !explainsWhatAReferenceLeaves(exact, best, pair) &&
-         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, pair) || takesNearlyAll(exact, best, pair));
+         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, left_by_best, pair) ||
+          takesNearlyAll(best, left_by_best, pair));
 }
 
 }  // namespace gap

@@ -25,9 +25,10 @@ inline constexpr double kMostRestOfPair = 0.5;
 [[nodiscard]] Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair);
 
 /// Whether a pair is nearer to the data than the best single cause by more than luck, and by so much, or so little
-/// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
-/// docs/diagnosis.md gives the reasons for the bounds.
-[[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair);
+/// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted;
+/// `left_by_best` is restOf the best single cause. docs/diagnosis.md gives the reasons for the bounds.
+[[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
+                                  const Candidate& pair);
 
 /// Second causes beside a single one that prove themselves, one of so many causes: each gains what chance gives none of
 /// them, as much of it as a cause that is there would bring, and leaves nothing. This sees what is in no rest: the

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/parallel.h"
@@ -13,14 +12,8 @@ namespace {
 
 constexpr std::size_t kRuns = 40;  // of the null: their spread is known to a tenth
 constexpr std::size_t kRoughRuns = 8;
-constexpr std::size_t kRunsApart = 8;  // of two causes
-constexpr double kBeyondDoubt = 4.0;   // standard deviations: told apart, whatever the other samples say
 constexpr double kByChance = 0.01;     // that any of the causes tried gains so much where it is not at work
 constexpr double kNotOneSample = 3.0;  // standard deviations of the gain of a small cause without its best sample
-
-constexpr std::uint64_t kFirstSeed = 3000;
-
-std::uint64_t seedOf(const Evidence& evidence, std::size_t run) { return evidence.seed + kFirstSeed + run; }
 
 /// Of all parts but one (all, if there is no such part).
 double sumOf(const std::vector<double>& of_parts, std::size_t left_out) {
@@ -44,6 +37,11 @@ std::vector<SimulatedWorld> onParts(const Replay& replay, const World& world, co
 
 }  // namespace
 
+std::uint64_t seedOfRun(const Evidence& evidence, std::size_t run) {
+  constexpr std::uint64_t kFirst = 3000;
+  return evidence.seed + kFirst + run;
+}
+
 bool nothingElse(const Significance& significance, std::size_t causes) {
   return significance.p_value * static_cast<double>(causes) < kByChance && significance.rest_z < kNoRest;
 }
@@ -58,7 +56,7 @@ NullRuns::NullRuns(const Replay& replay, World null, std::vector<Evidence> parts
   for (const SimulatedWorld& part : simulated) observed_.push_back(part.discrepancy());
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      drawn_[run].push_back(measuredIn(replay, null_, parts_[p], seedOf(parts_[p], run)));
+      drawn_[run].push_back(measuredIn(replay, null_, parts_[p], seedOfRun(parts_[p], run)));
       without_[run].push_back(simulated[p].discrepancyTo(drawn_[run].back()));
     }
   });
@@ -104,7 +102,7 @@ Distribution ownNoiseOf(const Judge& judge, const World& world, std::size_t runs
   const SimulatedWorld simulated(judge.replay, world, held_out);
   std::vector<double> distances(runs);
   core::parallelFor(runs, 1, [&](std::size_t run, std::size_t) {
-    distances[run] = simulated.discrepancyTo(measuredIn(judge.replay, world, held_out, seedOf(held_out, run)));
+    distances[run] = simulated.discrepancyTo(measuredIn(judge.replay, world, held_out, seedOfRun(held_out, run)));
   });
   return Distribution(distances);
 }
@@ -146,61 +144,6 @@ std::vector<double> roughImprovements(const Judge& judge, const std::vector<Cand
     improvements.push_back(byChance(gains, 1).z(gains.observed.front()));
   }
   return improvements;
-}
-
-namespace {
-
-/// How much farther from some evidence one candidate is than another.
-struct Apart {
-  double difference = 0.0;
-  double expected = 0.0;  ///< of it, were the first one right
-  double variance = 0.0;  ///< of it then
-
-  [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
-};
-
-Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
-  const SimulatedWorld of_best(replay, best, evidence), of_rival(replay, rival, evidence);
-  std::vector<double> differences(kRunsApart);
-  core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
-    const Measured measured = measuredIn(replay, best, evidence, seedOf(evidence, run));
-    differences[run] = of_rival.discrepancyTo(measured) - of_best.discrepancyTo(measured);
-  });
-  const Distribution were_it_right(differences);
-  return {of_rival.discrepancy() - of_best.discrepancy(), were_it_right.mean,
-          were_it_right.stddev * were_it_right.stddev};
-}
-
-}  // namespace
-
-double gainWereItRight(const Judge& judge, const World& null, const World& world) {
-  return apartOn(judge.replay, judge.split.held_out, world, null).expected;
-}
-
-double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
-  const Replay& replay = judge.replay;
-  return apartOn(replay, judge.split.held_out, worldOf(replay, best.hypothesis, best.values),
-                 worldOf(replay, rival.hypothesis, rival.values))
-      .z();
-}
-
-double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
-                       double alike) {
-  Apart all;
-  bool differ = false;
-  for (const bool held_out : {true, false}) {
-    const Replay& replay = held_out ? exact.replay : quick.replay;
-    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
-    evidence.part.edges = exact.split.held_out.part.edges;
-    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
-    const Apart part = apartOn(replay, evidence, a, b);
-    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
-    differ = differ || part.difference > alike * explained;
-    if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
-    all.difference += part.difference;
-    all.variance += part.variance;
-  }
-  return differ ? all.z() : 0.0;
 }
 
 }  // namespace gap

@@ -31,6 +31,9 @@ struct Significance {
 /// Whether besides the data come nearer as they are, and do so without the sample that gains most.
 [[nodiscard]] bool provesItself(const Significance& significance, std::size_t causes);
 
+/// Of the run-th measurement that is drawn to say what chance or a cause itself does.
+[[nodiscard]] std::uint64_t seedOfRun(const Evidence& evidence, std::size_t run);
+
 /// Measurements drawn from a world in which a cause is not at work (the baseline, or a first cause's): what the cause
 /// gains on them, it gains by chance. They are the same for every cause, so they are drawn once, and the null is
 /// compared with each of them once.
@@ -64,8 +67,6 @@ class NullRuns {
 /// As many runs as a verdict takes, on the held-out samples: of the baseline, or of another world.
 [[nodiscard]] NullRuns nullRunsOf(const Judge& judge);
 [[nodiscard]] NullRuns nullRunsOf(const Judge& judge, const World& null);
-/// What a world would gain over the null on held-out data if it were right, in nats.
-[[nodiscard]] double gainWereItRight(const Judge& judge, const World& null, const World& world);
 /// How far from itself a world is under other noise, on held-out data.
 [[nodiscard]] Distribution ownNoiseOf(const Judge& judge, const World& world, std::size_t runs);
 /// What is left by a world on held-out data, in standard deviations of as many measurements drawn from itself.
@@ -76,14 +77,5 @@ class NullRuns {
 
 /// The improvement_z of many candidates, from fewer measurements drawn: enough to see which to look at closely.
 [[nodiscard]] std::vector<double> roughImprovements(const Judge& judge, const std::vector<Candidate>& candidates);
-
-/// How much nearer to held-out data one candidate is than a rival, in standard deviations of that difference if the
-/// first were right. Below two the data hardly tell them apart.
-[[nodiscard]] double separation(const Judge& judge, const Candidate& best, const Candidate& rival);
-/// The same on the samples that both were fitted to as well, which is fair if both have as many free numbers. `quick`
-/// sees some of the beams: enough for these samples. Edges take part where they do on held-out samples. 0 if the rival
-/// is farther by no more than the share `alike` of what the first explains, on either part of the samples.
-[[nodiscard]] double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
-                                     const Candidate& rival, double alike);
 
 }  // namespace gap

@@ -9,7 +9,7 @@
 #include "gap/which/candidates.h"
 #include "gap/which/decision.h"
 #include "gap/which/rivals.h"
-#include "gap/which/significance.h"
+#include "gap/which/separation.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 

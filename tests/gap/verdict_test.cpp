@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gap/far/how_far.h"
+#include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -51,6 +53,33 @@ TEST(Verdict, ThatNothingIsMissingIsDoubtedAsMuchAsNoiseHardlyMakesSuchAGap) {
   EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.05)), 4.0 * 0.407 / (1.0 + 4.0 * 0.407), 0.001);
   EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.01)), 4.0 * 0.125 / (1.0 + 4.0 * 0.125), 0.001);
   EXPECT_DOUBLE_EQ(confidenceOfNone(8.0), sure);
+}
+
+/// What an offset that explains everything is believed with.
+double beliefInTheOffset(bool weak_hold_out, bool frames_deviate) {
+  const SmallWorld world;
+  const auto measured = world.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.1}}}}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  gap::Split split = gap::splitOf(replay, 1);
+  split.weak = weak_hold_out;
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  gap::Decision decision;
+  decision.singles = {
+      {test_support::hypothesisNamed(gap::hypothesesFor(replay, {"range-offset"}), "range-offset"), {0.1}, 1.0}};
+  decision.singles.front().total_left = 0.0;
+  decision.name(decision.singles.front());
+  gap::Diagnosis diagnosis;
+  const gap::HeldOutGaps gaps(replay, split.held_out.samples, 1);
+  gap::fillCauses(judge, gaps, decision, frames_deviate, diagnosis, core::SilentProgress());
+  return diagnosis.causes.front().confidence;
+}
+
+// Of 26 verdicts without a sample that was held out 25 were right; where frames deviate, something else is at work.
+TEST(Verdict, ACauseIsBelievedLessWhereNoSampleIsHeldOutAndHalfWhereFramesDeviateToo) {
+  const double usual = beliefInTheOffset(false, false);
+  EXPECT_GT(usual, 0.9);
+  EXPECT_NEAR(beliefInTheOffset(true, false), 0.9 * usual, 1e-9);
+  EXPECT_NEAR(beliefInTheOffset(false, true), 0.5 * usual, 1e-9);
 }
 
 }  // namespace

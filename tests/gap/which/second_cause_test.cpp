@@ -36,10 +36,11 @@ TEST(SecondCause, NeedsNoLeastGainWhereItTakesNearlyAllThatAGiantLeaves) {
   ASSERT_GT(single.explained, 0.95);
   ASSERT_GT(gap::restOf(judge, pair), gap::kNoRest);
   pair.total_left = 0.45 * single.total_left;  // not so little that it would be enough by itself
-  EXPECT_TRUE(gap::earnsItsSecond(judge, judge, single, pair)) << single.explained << " " << pair.explained;
+  EXPECT_TRUE(gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair))
+      << single.explained << " " << pair.explained;
   // What changes nothing where all data are pooled may be how two programs differ.
   pair.total_left = single.total_left;
-  EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, pair));
+  EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair));
 }
 
 /// An offset of 30 mm is all that is missing.

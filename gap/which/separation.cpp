@@ -1,0 +1,69 @@
+#include "gap/which/separation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "gap/which/significance.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kRunsApart = 8;  // measurements drawn from the first of two causes
+constexpr double kBeyondDoubt = 4.0;   // standard deviations: told apart, whatever the other samples say
+
+/// How much farther from some evidence one candidate is than another.
+struct Apart {
+  double difference = 0.0;
+  double expected = 0.0;  ///< of it, were the first one right
+  double variance = 0.0;  ///< of it then
+
+  [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
+};
+
+Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
+  const SimulatedWorld of_best(replay, best, evidence), of_rival(replay, rival, evidence);
+  std::vector<double> differences(kRunsApart);
+  core::parallelFor(differences.size(), 1, [&](std::size_t run, std::size_t) {
+    const Measured measured = measuredIn(replay, best, evidence, seedOfRun(evidence, run));
+    differences[run] = of_rival.discrepancyTo(measured) - of_best.discrepancyTo(measured);
+  });
+  const Distribution were_it_right(differences);
+  return {of_rival.discrepancy() - of_best.discrepancy(), were_it_right.mean,
+          were_it_right.stddev * were_it_right.stddev};
+}
+
+}  // namespace
+
+double gainWereItRight(const Judge& judge, const World& null, const World& world) {
+  return apartOn(judge.replay, judge.split.held_out, world, null).expected;
+}
+
+double separation(const Judge& judge, const Candidate& best, const Candidate& rival) {
+  const Replay& replay = judge.replay;
+  return apartOn(replay, judge.split.held_out, worldOf(replay, best.hypothesis, best.values),
+                 worldOf(replay, rival.hypothesis, rival.values))
+      .z();
+}
+
+double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
+                       double alike) {
+  Apart all;
+  bool differ = false;
+  for (const bool held_out : {true, false}) {
+    const Replay& replay = held_out ? exact.replay : quick.replay;
+    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
+    evidence.part.edges = exact.split.held_out.part.edges;
+    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
+    const Apart part = apartOn(replay, evidence, a, b);
+    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
+    differ = differ || part.difference > alike * explained;
+    if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
+    all.difference += part.difference;
+    all.variance += part.variance;
+  }
+  return differ ? all.z() : 0.0;
+}
+
+}  // namespace gap

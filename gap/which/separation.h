@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// How much nearer to held-out data one candidate is than a rival, in standard deviations of that difference if the
+/// first were right. Below two the data hardly tell them apart.
+[[nodiscard]] double separation(const Judge& judge, const Candidate& best, const Candidate& rival);
+/// The same on the samples that both were fitted to as well, which is fair if both have as many free numbers. `quick`
+/// sees some of the beams: enough for these samples. Edges take part where they do on held-out samples. 0 if the rival
+/// is farther by no more than the share `alike` of what the first explains, on either part of the samples.
+[[nodiscard]] double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
+                                     const Candidate& rival, double alike);
+/// What a world would gain over the null on held-out data if it were right, in nats.
+[[nodiscard]] double gainWereItRight(const Judge& judge, const World& null, const World& world);
+
+}  // namespace gap
