@@ -12,8 +12,7 @@
 #include "gap/diagnosis.h"
 #include "gap/report/html.h"
 #include "gap/report/json.h"
-#include "gap/report/rest_wording.h"
-#include "gap/report/wording.h"
+#include "gap/report/text.h"
 #include "percollect/read_graph.h"
 
 namespace app {
@@ -59,15 +58,6 @@ std::vector<std::string> libraryOf(const std::string& text) {
   return names;
 }
 
-void printFlips(const std::vector<gap::TwiceJudgedTest>& tests, std::ostream& out) {
-  const auto flips = std::count_if(tests.begin(), tests.end(), [](const auto& test) { return test.flips(); });
-  out << "  acceptance: with the proposed model " << flips << " of " << tests.size()
-      << " tests of this experiment change their verdict\n";
-  for (const gap::TwiceJudgedTest& test : tests) {
-    if (test.flips()) out << "    " << test.id << ": " << test.before << " -> " << test.after << "\n";
-  }
-}
-
 /// The acceptance tests of a project that belong to the experiment, with the model as it is and as proposed.
 std::vector<gap::TwiceJudgedTest> judgedTests(const specs::ProjectStore& project, const model::Experiment& experiment,
                                               const model::LidarModel& lidar, const gap::Diagnosis& diagnosis,
@@ -80,35 +70,6 @@ std::vector<gap::TwiceJudgedTest> judgedTests(const specs::ProjectStore& project
   }
   return acceptance::judgeTwice(project, experiment, {lidar, model::parseModel(diagnosis.proposed_model, lidar.file)},
                                 session.seed, session.progress);
-}
-
-void print(const gap::Diagnosis& diagnosis, std::ostream& out) {
-  constexpr std::size_t kRows = 3;
-  out << diagnosis.verdict.text << "\n";
-  if (diagnosis.present) {
-    for (std::size_t i = 0; i < std::min(kRows, diagnosis.where.size()); ++i) {
-      out << "  where: " << gap::whereSentence(diagnosis.where[i]) << "\n";
-    }
-  }
-  if (const gap::Law* pattern = gap::patternIn(diagnosis.verdict, diagnosis.rest))
-    out << "  pattern: " << gap::patternText(*pattern) << "\n";
-  for (const gap::Cause& cause : diagnosis.causes) {
-    const auto& names = diagnosis.verdict.names;
-    const bool named = std::find(names.begin(), names.end(), cause.name) != names.end();
-    out << (named ? "  cause: " : "  also weighed: ") << gap::toString(cause.kind) << " " << cause.name << ", explains "
-        << core::significant(100.0 * cause.explained, 3) << " % of the held-out discrepancy";
-    for (const gap::FittedParameter& p : cause.parameters) {
-      out << "; " << p.name << " = " << core::significant(p.value, 4);
-      if (p.interval)
-        out << " [" << core::significant(p.interval->low, 4) << ", " << core::significant(p.interval->high, 4) << "]";
-      if (!p.unit.empty()) out << " " << p.unit;
-    }
-    out << "\n";
-  }
-  if (diagnosis.approximation) out << "  note: " << diagnosis.approximation->text << "\n";
-  for (const std::string& note : diagnosis.notes) out << "  note: " << note << "\n";
-  if (diagnosis.acceptance_tests) printFlips(*diagnosis.acceptance_tests, out);
-  if (diagnosis.next_experiment) out << "  next: " << diagnosis.next_experiment->text << "\n";
 }
 
 }  // namespace
@@ -167,7 +128,7 @@ void addGapCommand(CLI::App& program, Session& session) {
     if (!options->candidates.empty()) core::writeFile(options->candidates, gap::toCsv(diagnosis.tried));
     if (!options->html.empty()) core::writeFile(options->html, gap::reportHtml(diagnosis));
     if (!options->json.empty()) session.writeJsonTo(options->json, gap::reportJson(diagnosis));
-    if (options->json != "-") print(diagnosis, session.out);
+    if (options->json != "-") session.out << gap::reportText(diagnosis);
     if (options->write_model.empty()) return;
     if (diagnosis.approximation) {
       session.messages << "fidelis: no model file was written: the model under test is not the built-in lidar, so its "

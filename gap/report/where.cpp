@@ -31,14 +31,14 @@ const std::vector<report::TableColumn>& columns() {
 /// One line a kind of difference; what the same difference looks like along other quantities is folded away, and what
 /// may be chance, unless everything may.
 void addRows(report::Page& page, const std::vector<WhereRow>& rows) {
-  std::set<std::string> seen;
-  std::vector<std::vector<Html>> first, others;
-  const bool sure = std::any_of(rows.begin(), rows.end(), [](const WhereRow& row) { return !row.mayBeChance(); });
-  for (const WhereRow& row : rows) {
-    const bool shown = !(sure && row.mayBeChance()) && seen.insert(row.measurand + row.component).second;
-    (shown ? first : others).push_back(cellsOf(row));
-  }
-  page.table(columns(), first);
+  const PartedRows parted = partedByKind(rows);
+  const auto cells = [](const std::vector<WhereRow>& some) {
+    std::vector<std::vector<Html>> table;
+    for (const WhereRow& row : some) table.push_back(cellsOf(row));
+    return table;
+  };
+  page.table(columns(), cells(parted.first));
+  std::vector<std::vector<Html>> others = cells(parted.others);
   if (others.empty()) return;
   page.beginDetails(
       "The same differences along other quantities (distance, direction, object, set-up …), and what may be chance");

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/text.h"
 
@@ -174,6 +176,17 @@ std::string certaintyInWords(double p_value) {
   if (p_value < 1e-3) return "no";
   if (p_value < 0.05) return "hardly";
   return "possibly";
+}
+
+PartedRows partedByKind(const std::vector<WhereRow>& rows) {
+  PartedRows parted;
+  std::set<std::pair<std::string, std::string>> seen;
+  const bool sure = std::any_of(rows.begin(), rows.end(), [](const WhereRow& row) { return !row.mayBeChance(); });
+  for (const WhereRow& row : rows) {
+    const bool shown = !(sure && row.mayBeChance()) && seen.emplace(row.measurand, row.component).second;
+    (shown ? parted.first : parted.others).push_back(row);
+  }
+  return parted;
 }
 
 std::string stratumText(const WhereRow& row) {

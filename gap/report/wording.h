@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gap/diagnosis.h"
 #include "gap/report/quantities.h"
@@ -21,6 +22,13 @@ namespace gap {
 
 /// The same without the shares: "The simulated echo pulse width is 0.27 m too large at ranges from 28.1 to 69 m".
 [[nodiscard]] std::string whereClause(const WhereRow& row);
+
+/// Rows of `where` for a reader: of every kind of difference (measurand and component) the first one, and the same
+/// along other quantities. What may be chance is among the others, unless everything may.
+struct PartedRows {
+  std::vector<WhereRow> first, others;
+};
+[[nodiscard]] PartedRows partedByKind(const std::vector<WhereRow>& rows);
 
 /// "at ranges from 28.1 to 69 m".
 [[nodiscard]] std::string stratumText(const WhereRow& row);
