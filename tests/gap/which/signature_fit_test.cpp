@@ -41,7 +41,7 @@ TEST_F(SignatureFit, FollowsTheValleyBetweenACauseAndTheCalibrationThatHidesIt) 
 TEST_F(SignatureFit, LeavesEndsOfASectorAndCountsWhereTheyAre) {
   gap::Hypothesis stepwise = both_;
   stepwise.parameters[0].whole = true;
-  stepwise.parameters[1].name = "azimuth_from_deg";
+  stepwise.parameters[1].azimuth = true;
   const std::vector<double> start{3000.0, 47.5};
   EXPECT_EQ(gap::signatureFitFrom(replay_, space_, stepwise, start, core::SilentProgress()), start);
 }
