@@ -57,7 +57,7 @@ std::vector<Interval> parameterIntervals(const Replay& replay, const Hypothesis&
     const FreeParameter& parameter = hypothesis.parameters[p];
     const double least = parameter.azimuth ? azimuthStep_deg(replay) / 2.0 : resolvedAt(parameter, values[p]);
     const double reach = std::max(t * error, least);
-    intervals.push_back({values[p] - reach, values[p] + reach});
+    intervals.push_back({std::max(parameter.low, values[p] - reach), std::min(parameter.high, values[p] + reach)});
   }
   return intervals;
 }

@@ -271,28 +271,31 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
 void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
             const core::Progress& progress) {
   if (candidates.empty()) return;
-  const double enough = candidates.front().merit - kNearlyAsGood;
   std::size_t leaders = 0;
-  while (leaders < std::min(kLeaders, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
-  const auto behind = candidates.begin() + static_cast<std::ptrdiff_t>(leaders);
-  const auto lookAt = [&](std::size_t count, bool refined) {
-    core::parallelFor(count, 1, [&](std::size_t c, std::size_t) {
-      Candidate& candidate = candidates[c];
+  const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
+    core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
+      Candidate& candidate = candidates[from + c];
       if (refined) candidate.values = refinedOf(judge, candidate, where, progress);
       candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
       judge.hear(candidate);
     });
-    std::stable_sort(candidates.begin(), behind, better);
+    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
   };
-  lookAt(leaders, false);
+  // All beams may say less of the first ones than few beams did: then others are as good.
+  for (std::size_t looked_at = 0; looked_at < std::min(kLeaders, candidates.size()); looked_at = leaders) {
+    const double enough = candidates.front().merit - kNearlyAsGood;
+    while (leaders < std::min(kLeaders, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
+    if (leaders == looked_at) break;
+    lookAt(looked_at, leaders, false);
+  }
   const bool pairs = !candidates.front().hypothesis.members.empty();
   std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
   while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kRival) ++refined;
-  lookAt(refined, true);
+  lookAt(0, refined, true);
   // What was not looked at closely is no better than what was.
-  const double of_last = (behind - 1)->merit;
-  std::for_each(behind, candidates.end(),
-                [&](Candidate& candidate) { candidate.merit = std::min(candidate.merit, of_last); });
+  const double of_last = candidates[leaders - 1].merit;
+  for (std::size_t c = leaders; c < candidates.size(); ++c)
+    candidates[c].merit = std::min(candidates[c].merit, of_last);
 }
 
 }  // namespace gap

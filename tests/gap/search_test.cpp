@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "gap/causes/starts.h"
+#include "gap/far/how_far.h"
 #include "gap/which/belief.h"
 #include "gap/which/candidates.h"
 #include "gap/which/decision.h"
@@ -340,6 +341,19 @@ TEST_F(Search, FitsCountsAsWholeNumbers) {
   const std::vector<double> found = gap::fitFrom(*replay_, *bits, split_.fitted, scouted(*bits).values, progress);
   EXPECT_EQ(found[0], 9.0);
   EXPECT_EQ(gap::resolvedAt(bits->parameters[0], 9.0), 0.5);
+}
+
+// By the few beams with which causes are chosen a blooming led by 0.5; by all beams it is nothing.
+TEST_F(Search, LooksAtFurtherCausesWhereAllBeamsSayLessOfTheFirst) {
+  measure({{"range-offset", {{"offset_m", 0.1}}}});
+  const gap::Judge judge{*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)};
+  const gap::HeldOutGaps gaps(*replay_, split_.held_out.samples, 1);
+  std::vector<gap::Candidate> candidates{
+      {.hypothesis = effect("blooming"), .values = {0.001}, .explained = 1.0, .merit = 0.9},
+      {.hypothesis = effect("range-offset"), .values = {0.1}, .explained = 0.6, .merit = 0.4}};
+  gap::polish(judge, gaps, candidates, gap::whereIn(*replay_, replay_->baseline(), 1), core::SilentProgress());
+  EXPECT_EQ(candidates.front().hypothesis.name, "range-offset");
+  EXPECT_GT(candidates.front().merit, 0.9);
 }
 
 // At the one range that is held out, an offset and a scale do the same; those that were fitted tell them apart.
