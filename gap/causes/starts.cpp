@@ -67,12 +67,11 @@ class Starts {
   /// Every start so far with several strengths: of all numbers that are not settled together, and of each alone (a
   /// light may take much of a receiver's gain and make hardly any noise).
   void vary(const std::vector<std::string>& settled) {
-    std::vector<std::vector<std::size_t>> strengthened{{}};
+    std::vector<std::size_t> all;
     for (std::size_t i = 0; i < parameters_.size(); ++i)
-      if (std::count(settled.begin(), settled.end(), parameters_[i].name) == 0) strengthened[0].push_back(i);
-    const std::vector<std::size_t> all = strengthened[0];
-    for (const std::size_t i : all)
-      if (all.size() > 1) strengthened.push_back({i});
+      if (std::count(settled.begin(), settled.end(), parameters_[i].name) == 0) all.push_back(i);
+    std::vector<std::vector<std::size_t>> strengthened{all};
+    for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) strengthened.push_back({all[k]});
     std::vector<std::vector<double>> varied;
     for (const auto& start : list_) {
       for (const auto& numbers : strengthened) {

@@ -271,7 +271,11 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
 void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
             const core::Progress& progress) {
   if (candidates.empty()) return;
+  const std::size_t most = std::min(kLeaders, candidates.size());
   std::size_t leaders = 0;
+  const auto leads = [&](std::size_t c) {
+    return c < most && candidates[c].merit >= candidates.front().merit - kNearlyAsGood;
+  };
   const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
     core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
       Candidate& candidate = candidates[from + c];
@@ -282,10 +286,9 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
     std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
   };
   // All beams may say less of the first ones than few beams did: then others are as good.
-  for (std::size_t looked_at = 0; looked_at < std::min(kLeaders, candidates.size()); looked_at = leaders) {
-    const double enough = candidates.front().merit - kNearlyAsGood;
-    while (leaders < std::min(kLeaders, candidates.size()) && candidates[leaders].merit >= enough) ++leaders;
-    if (leaders == looked_at) break;
+  while (leads(leaders)) {
+    const std::size_t looked_at = leaders;
+    while (leads(leaders)) ++leaders;
     lookAt(looked_at, leaders, false);
   }
   const bool pairs = !candidates.front().hypothesis.members.empty();

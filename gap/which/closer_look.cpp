@@ -87,12 +87,11 @@ CloseJudge::CloseJudge(const Judge& quick, const Judge& exact, const WhereResult
                                quick.replay.detail())),
       judge{replay, quick.split, yardstickOf(replay, quick.split.held_out)} {}
 
-std::unique_ptr<const CloseJudge> closeJudgeBeside(const Judge& quick, const Judge& exact, const Candidate& best) {
-  if (&quick.replay == &exact.replay) return nullptr;
-  const double left = restOf(exact, best);
-  if (left < Yardstick::kClear_z) return nullptr;
+std::unique_ptr<const CloseJudge> closeJudgeBeside(const Judge& quick, const Judge& exact, const Candidate& best,
+                                                   double left_by_best) {
+  if (&quick.replay == &exact.replay || left_by_best < Yardstick::kClear_z) return nullptr;
   // What is in all beams alike is as many standard deviations as the root of their number.
-  const double spread_over_all = left * std::sqrt(beamsOf(quick.replay) / beamsOf(exact.replay));
+  const double spread_over_all = left_by_best * std::sqrt(beamsOf(quick.replay) / beamsOf(exact.replay));
   if (restOf(quick, best) > spread_over_all / kFarLess) return nullptr;
   const World world = worldOf(exact.replay, best.hypothesis, best.values);
   return std::make_unique<const CloseJudge>(quick, exact, whereIn(exact.replay, world, exact.split.fitted.seed));

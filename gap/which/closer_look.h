@@ -17,9 +17,9 @@ struct CloseJudge {
 
 /// For the causes beside the best one, where that leaves a gap beyond doubt by all beams, and by the few far less than
 /// so few would show of what is in all of them: then something else is at work in beams that are not among the few (a
-/// false target in one column). Else nothing.
+/// false target in one column). Else nothing. `left_by_best`: restOf the best one, by all beams.
 [[nodiscard]] std::unique_ptr<const CloseJudge> closeJudgeBeside(const Judge& quick, const Judge& exact,
-                                                                 const Candidate& best);
+                                                                 const Candidate& best, double left_by_best);
 
 /// Where no cause explains half of a gap that is beyond doubt, it may lie in beams that are not among the few with
 /// which causes are chosen (echoes that merge on one side of one car). So all are searched once more on the beams that

@@ -213,9 +213,11 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
-  const bool room = roomForASecond(exact, decision.singles.front());
-  if (!room && !mayHideASecond(exact, decision.singles.front())) return false;
-  const auto closely = room ? closeJudgeBeside(usual, exact, decision.singles.front()) : nullptr;
+  const Candidate first = decision.singles.front();
+  const double left_by_first = restOf(exact, first);
+  const bool room = roomForASecond(exact, first, left_by_first);
+  if (!room && !mayHideASecond(exact, first)) return false;
+  const auto closely = room ? closeJudgeBeside(usual, exact, first, left_by_first) : nullptr;
   const Judge& quick = closely ? closely->judge : usual;
   core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs =
@@ -228,7 +230,8 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   leadByEffects(quick, exact, pairs);
   takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
   const Candidate& best = decision.singles.front();
-  const double left_by_best = room ? restOf(exact, best) : 0.0;
+  const bool still_first = formOf(best.hypothesis) == formOf(first.hypothesis) && best.values == first.values;
+  const double left_by_best = still_first ? left_by_first : restOf(exact, best);
   SecondProofs proofs(exact, best, decision.singles.size());
   const auto earns = [&](const Candidate& pair) {
     if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;

@@ -88,11 +88,11 @@ bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, con
 
 }  // namespace
 
-bool roomForASecond(const Judge& judge, const Candidate& best) {
+bool roomForASecond(const Judge& judge, const Candidate& best, double left_by_best) {
   const LeftOver left = leftBy(best);
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;
   if (material && (left.total > kPooledRest || left.discrepancy > 3.0 * judge.yardstick.noiseOfShare())) return true;
-  return restOf(judge, best) > (material ? kNoRest : Yardstick::kClear_z);
+  return left_by_best > (material ? kNoRest : Yardstick::kClear_z);
 }
 
 bool mayHideASecond(const Judge& judge, const Candidate& best) {

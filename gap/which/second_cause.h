@@ -13,8 +13,8 @@ inline constexpr double kMostRestOfPair = 0.5;
 
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
 /// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
-/// all data are pooled.
-[[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best);
+/// all data are pooled. `left_by_best`, here and below: restOf the best single cause.
+[[nodiscard]] bool roomForASecond(const Judge& judge, const Candidate& best, double left_by_best);
 
 /// Whether an effect scatters so much more than a right model that its noise may hide what else is missing: what
 /// speckle leaves is never a gap.
@@ -25,8 +25,8 @@ inline constexpr double kMostRestOfPair = 0.5;
 [[nodiscard]] Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair);
 
 /// Whether a pair is nearer to the data than the best single cause by more than luck, and by so much, or so little
-/// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted;
-/// `left_by_best` is restOf the best single cause. docs/diagnosis.md gives the reasons for the bounds.
+/// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
+/// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
                                   const Candidate& pair);
 

@@ -6,6 +6,7 @@
 #include "core/physics.h"
 #include "gap/far/how_far.h"
 #include "gap/which/pairs.h"
+#include "gap/which/significance.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
@@ -97,7 +98,7 @@ class DirtBesideAnOffset : public ChosenBesideTheDirt {
 TEST_F(DirtBesideAnOffset, IsSoughtInTheBeamsThatTheOffsetLeavesWrong) {
   const gap::Replay clean = withoutTheDirtyBeams();
   const gap::Judge quick{clean, split_, gap::yardstickOf(clean, split_.held_out)};
-  const auto closely = gap::closeJudgeBeside(quick, exact_, offset());
+  const auto closely = gap::closeJudgeBeside(quick, exact_, offset(), gap::restOf(exact_, offset()));
   ASSERT_NE(closely, nullptr);
   const auto hypotheses = gap::hypothesesFor(replay_, {"range-offset", "cover-contamination"});
   const auto singles = gap::rank(closely->judge, hypotheses, where_, progress_);
@@ -114,8 +115,8 @@ TEST_F(DirtBesideAnOffset, IsSoughtInTheBeamsThatTheOffsetLeavesWrong) {
 TEST_F(DirtBesideAnOffset, IsSoughtInTheUsualBeamsWhereTheseAreWrongToo) {
   const gap::Replay clean = withoutTheDirtyBeams();
   const gap::Judge quick{clean, split_, gap::yardstickOf(clean, split_.held_out)};
-  EXPECT_EQ(gap::closeJudgeBeside(quick, exact_, offset(0.05)), nullptr);
-  EXPECT_EQ(gap::closeJudgeBeside(exact_, exact_, offset()), nullptr);
+  EXPECT_EQ(gap::closeJudgeBeside(quick, exact_, offset(0.05), gap::restOf(exact_, offset(0.05))), nullptr);
+  EXPECT_EQ(gap::closeJudgeBeside(exact_, exact_, offset(), gap::restOf(exact_, offset())), nullptr);
 }
 
 }  // namespace

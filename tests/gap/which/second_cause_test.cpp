@@ -64,9 +64,9 @@ TEST_F(MissingOffset, LeavesRoomForASecondCauseOnlyWhereAFifthOfTheTotalGapIsLef
   judge_.hear(right);
   ASSERT_LT(gap::restOf(judge_, right), gap::kNoRest);
   right.total_left = 0.25;
-  EXPECT_TRUE(gap::roomForASecond(judge_, right));
+  EXPECT_TRUE(gap::roomForASecond(judge_, right, gap::restOf(judge_, right)));
   right.total_left = 0.1;
-  EXPECT_FALSE(gap::roomForASecond(judge_, right));
+  EXPECT_FALSE(gap::roomForASecond(judge_, right, gap::restOf(judge_, right)));
 }
 
 TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
@@ -94,7 +94,7 @@ class BesideSpeckle : public testing::Test {
     gap::Candidate pair = gap::pairOf(single, candidate("atmospheric-attenuation", visibility_m));
     for (gap::Candidate* heard : {&single, &pair}) judge.hear(*heard);
     single.total_left = pair.total_left = 0.0;
-    EXPECT_FALSE(gap::roomForASecond(judge, single));
+    EXPECT_FALSE(gap::roomForASecond(judge, single, gap::restOf(judge, single)));
     return gap::SecondProofs(judge, single, hypotheses.size()).of(pair);
   }
 
