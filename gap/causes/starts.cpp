@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kMostStrata = 4;  // of azimuth, and of range
 // How strong the cause is there, the map does not say: shares of the plausible range, and of its logarithm.
-constexpr std::array kStrengths = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.6};
-constexpr std::array kLogStrengths = {0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75};
+constexpr std::array kStrengths = {0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.6, 0.9};
+constexpr std::array kLogStrengths = {0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.9};
 static_assert(kStrengths.size() == kLogStrengths.size());
 constexpr double kDistances_m[] = {4.0, 8.0, 14.0, 22.0};                       // of a cloud in a direction
 constexpr double kVisibilities_m[] = {30.0, 60.0, 120.0, 240.0, 480.0, 960.0};  // thinner ones are hardly seen

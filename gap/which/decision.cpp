@@ -11,8 +11,10 @@
 #include "gap/which/counter.h"
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
+#include "gap/which/leading_pairs.h"
 #include "gap/which/pairs.h"
 #include "gap/which/partners.h"
+#include "gap/which/same_sector.h"
 #include "gap/which/second_cause.h"
 #include "gap/which/second_search.h"
 #include "gap/which/significance.h"
@@ -28,6 +30,7 @@ constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain m
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kHopeless = 0.5;  // of what a cause must account for to be named: closer fits do not double a share
 constexpr std::size_t kPairsHeard = 4;  // best ones: one of them may earn its second cause where the first does not
+constexpr int kRoundsOfExchanges = 2;
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
 
 VerdictKind kindOf(CauseKind kind) {
@@ -93,6 +96,20 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
   polish(exact, gaps, singles, where, progress);
   if (withoutErrors() > 0) polish(exact, gaps, singles, where, progress);  // better values may be within what is known
   return singles;
+}
+
+/// Judges those that act in a sector in that of the best cause as well, if it has one, and keeps what is better there.
+void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                    std::vector<Candidate>& singles, const core::Progress& progress) {
+  std::vector<Candidate> moved = inSectorOf(singles.front(), singles);
+  for (Candidate& candidate : moved) {
+    core::stopIfCancelled(progress);
+    candidate.total_left = gaps.leftIn(worldOf(exact.replay, candidate.hypothesis, candidate.values));
+    exact.hear(candidate);
+  }
+  std::erase_if(moved, [&](const Candidate& one) { return !better(one, singles[placeOfForm(singles, one)]); });
+  polish(exact, gaps, moved, where, progress);
+  takeBetter(std::move(moved), singles);
 }
 
 /// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
@@ -210,6 +227,20 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
   decision.rivals = rivalsInPairs(quick, exact, pairs, added);
 }
 
+/// Puts the pair that is named if any is first. What may stand in a member's place shows only where it was fitted
+/// beside the other one, so once more if another pair leads then.
+void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                  const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
+                  const core::Progress& progress) {
+  for (int round = 0; round < kRoundsOfExchanges; ++round) {
+    const Candidate led = pairs.front();
+    exchangeMembers(quick, exact, gaps, singles, pairs, progress);
+    leadByAll(quick, exact, pairs, addedBySecond(singles.front(), pairs));
+    leadByEffects(quick, exact, pairs);
+    if (samePair(led, pairs.front())) break;
+  }
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
@@ -224,10 +255,9 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
       room ? rankPairs(quick, decision.singles, part) : smallSeconds(quick, exact, decision.singles, part);
   if (hopeless(exact.yardstick, pairs)) return false;
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
+  if (room) joinLeaders(exact, decision.singles, pairs, progress);
   polish(exact, gaps, pairs, where, progress);
-  exchangeMembers(quick, exact, gaps, decision.singles, pairs, progress);
-  leadByAll(quick, exact, pairs, addedBySecond(decision.singles.front(), pairs));
-  leadByEffects(quick, exact, pairs);
+  chooseLeader(quick, exact, gaps, decision.singles, pairs, progress);
   takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
   const Candidate& best = decision.singles.front();
   const bool still_first = formOf(best.hypothesis) == formOf(first.hypothesis) && best.values == first.values;
@@ -380,6 +410,7 @@ Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
   }
   core::PartOfProgress part(progress, 0.5, 0.6);
   lookCloser(quick, exact, gaps, where, decision.singles, part);
+  shareTheSector(exact, gaps, where, decision.singles, part);
   if (!namesAPair(quick, exact, gaps, where, decision, progress)) {
     nameTheBest(quick, exact, gaps, where, decision, progress);
   }

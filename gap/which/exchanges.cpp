@@ -1,23 +1,37 @@
 #include "gap/which/exchanges.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/parallel.h"
 #include "gap/far/how_far.h"
+#include "gap/which/leading_pairs.h"
 #include "gap/which/partners.h"
+#include "gap/which/same_sector.h"
 
 namespace gap {
 
 namespace {
 
 constexpr std::size_t kOfEachMember = 3;
+constexpr std::size_t kPairsLookedAt = 4;
 constexpr double kTooFarBehind = 0.3;   // of what the best pair explains of the fitted samples
 constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
-/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
+/// The single causes; the same where the best pair says that a sector is; and the members of the best pairs: beside
+/// another cause some were fitted better than alone.
+std::vector<Candidate> placesKnown(const std::vector<Candidate>& pairs, const std::vector<Candidate>& singles) {
+  std::vector<Candidate> known = singles;
+  const auto add = [&](std::vector<Candidate> more) { std::move(more.begin(), more.end(), std::back_inserter(known)); };
+  for (const Candidate& member : membersOf(pairs.front())) add(inSectorOf(member, singles));
+  for (std::size_t p = 0; p < std::min(kPairsLookedAt, pairs.size()); ++p) add(membersOf(pairs[p]));
+  return known;
+}
+
+/// Causes of other names that, as they were fitted before, come nearest beside the one that is kept. Of each name the
 /// nearest form, and the usual one: fitted alone, a form with more numbers may come nearer and have nothing to say
 /// here.
 std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
@@ -57,21 +71,16 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& best,
   return nearest;
 }
 
-bool samePair(const Candidate& a, const Candidate& b) {
-  const auto &x = a.hypothesis.members, &y = b.hypothesis.members;
-  const auto same = [](const Hypothesis& p, const Hypothesis& q) { return formOf(p) == formOf(q); };
-  return (same(x[0], y[0]) && same(x[1], y[1])) || (same(x[0], y[1]) && same(x[1], y[0]));
-}
-
 }  // namespace
 
 void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                      const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                      const core::Progress& progress) {
   const std::vector<Candidate> members = membersOf(pairs.front());
+  const std::vector<Candidate> known = placesKnown(pairs, singles);
   std::vector<Candidate> others;
   for (const std::size_t kept : {0U, 1U}) {
-    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], singles, progress))
+    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
       others.push_back(std::move(other));
   }
   others = nearestRoughly(quick, pairs.front(), std::move(others), progress);
@@ -81,14 +90,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
     other.total_left = gaps.leftIn(worldOf(exact.replay, other.hypothesis, other.values));
     exact.hear(other);
   });
-  for (Candidate& other : others) {
-    const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Candidate& p) { return samePair(p, other); });
-    if (known == pairs.end()) {
-      pairs.push_back(std::move(other));
-    } else if (better(other, *known)) {
-      *known = std::move(other);
-    }
-  }
+  for (Candidate& other : others) takePair(std::move(other), pairs);
   sortByMerit(pairs);
 }
 

@@ -54,6 +54,24 @@ TEST(Exchanges, ACauseThatDoesTheSameIsFittedBesideTheOtherMember) {
   EXPECT_NEAR(exchanged->explained, 1.0, 0.1);
 }
 
+// Dirt that takes 0.4 of the light each way leaves as much as a receiver that lost 0.64 of its gain. Alone, the dirt
+// had been fitted where a dark board stood.
+TEST(Exchanges, ACauseInASectorIsTriedInThatOfTheMemberInWhosePlaceItComes) {
+  const auto pairs =
+      exchanged({{"range-offset", {{"offset_m", 0.1}}},
+                 {"cover-contamination", {{"attenuation", 0.4}, {"azimuth_from_deg", 5.5}, {"azimuth_to_deg", 8.5}}}},
+                {{"range-offset", {0.1}, ""},
+                 {"blinding", {7.0, 0.1, 3.0, 0.64}, "desensitised"},
+                 {"cover-contamination", {0.4, -9.0, -6.0}, ""}});
+  const auto exchanged = std::find_if(pairs.begin(), pairs.end(), [](const gap::Candidate& pair) {
+    return pair.hypothesis.name == "range-offset + cover-contamination";
+  });
+  ASSERT_NE(exchanged, pairs.end());
+  EXPECT_NEAR(exchanged->values[2], 5.5, 0.6);  // beams are a degree apart
+  EXPECT_NEAR(exchanged->values[3], 8.5, 0.6);
+  EXPECT_NEAR(exchanged->explained, 1.0, 0.1);
+}
+
 // A threshold that is 12 times the noise is another constant threshold; one that falls with range (by nothing) comes as
 // near and has a number more, so that nobody would put it in the place of a parameter.
 TEST(Exchanges, TheUsualFormOfACauseIsTriedWhereAnotherFormComesNearest) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// Those of the others that act in a sector of azimuths too (dirt on the window, light that blinds, a false target),
+/// put into the sector of the known cause, with the strengths that they have; not judged yet. What one cause shows of
+/// a sector's edges is true of all: a fit that ends a step beside them makes a cause seem farther from the data than
+/// it is. Empty if the known cause acts in no sector.
+[[nodiscard]] std::vector<Candidate> inSectorOf(const Candidate& known, const std::vector<Candidate>& others);
+
+}  // namespace gap
