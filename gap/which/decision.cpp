@@ -108,6 +108,7 @@ void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResu
     exact.hear(candidate);
   }
   std::erase_if(moved, [&](const Candidate& one) { return !better(one, singles[placeOfForm(singles, one)]); });
+  if (moved.empty()) return;
   polish(exact, gaps, moved, where, progress);
   takeBetter(std::move(moved), singles);
 }

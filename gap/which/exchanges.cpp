@@ -23,7 +23,7 @@ constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
 /// The single causes; the same where the best pair says that a sector is; and the members of the best pairs: beside
 /// another cause some were fitted better than alone.
-std::vector<Candidate> placesKnown(const std::vector<Candidate>& pairs, const std::vector<Candidate>& singles) {
+std::vector<Candidate> fittedBefore(const std::vector<Candidate>& pairs, const std::vector<Candidate>& singles) {
   std::vector<Candidate> known = singles;
   const auto add = [&](std::vector<Candidate> more) { std::move(more.begin(), more.end(), std::back_inserter(known)); };
   for (const Candidate& member : membersOf(pairs.front())) add(inSectorOf(member, singles));
@@ -77,7 +77,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
                      const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                      const core::Progress& progress) {
   const std::vector<Candidate> members = membersOf(pairs.front());
-  const std::vector<Candidate> known = placesKnown(pairs, singles);
+  const std::vector<Candidate> known = fittedBefore(pairs, singles);
   std::vector<Candidate> others;
   for (const std::size_t kept : {0U, 1U}) {
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
