@@ -237,9 +237,9 @@ void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gap
     const Candidate led = pairs.front();
     exchangeMembers(quick, exact, gaps, singles, pairs, progress);
     leadByAll(quick, exact, pairs, addedBySecond(singles.front(), pairs));
-    leadByEffects(quick, exact, pairs);
     if (samePair(led, pairs.front())) break;
   }
+  leadByEffects(quick, exact, pairs);
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.

@@ -17,21 +17,21 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 3;
-constexpr std::size_t kPairsLookedAt = 4;
 constexpr double kTooFarBehind = 0.3;   // of what the best pair explains of the fitted samples
 constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
-/// The single causes; the same where the best pair says that a sector is; and the members of the best pairs: beside
-/// another cause some were fitted better than alone.
-std::vector<Candidate> fittedBefore(const std::vector<Candidate>& pairs, const std::vector<Candidate>& singles) {
-  std::vector<Candidate> known = singles;
-  const auto add = [&](std::vector<Candidate> more) { std::move(more.begin(), more.end(), std::back_inserter(known)); };
-  for (const Candidate& member : membersOf(pairs.front())) add(inSectorOf(member, singles));
-  for (std::size_t p = 0; p < std::min(kPairsLookedAt, pairs.size()); ++p) add(membersOf(pairs[p]));
-  return known;
+/// The single causes, and those that act in a sector where the best pair says that it is.
+std::vector<Candidate> alsoInTheirSectors(const std::vector<Candidate>& members, std::vector<Candidate> singles) {
+  std::vector<Candidate> moved;
+  for (const Candidate& member : members) {
+    std::vector<Candidate> others = inSectorOf(member, singles);
+    std::move(others.begin(), others.end(), std::back_inserter(moved));
+  }
+  std::move(moved.begin(), moved.end(), std::back_inserter(singles));
+  return singles;
 }
 
-/// Causes of other names that, as they were fitted before, come nearest beside the one that is kept. Of each name the
+/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
 /// nearest form, and the usual one: fitted alone, a form with more numbers may come nearer and have nothing to say
 /// here.
 std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
@@ -77,7 +77,7 @@ void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& 
                      const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                      const core::Progress& progress) {
   const std::vector<Candidate> members = membersOf(pairs.front());
-  const std::vector<Candidate> known = fittedBefore(pairs, singles);
+  const std::vector<Candidate> known = alsoInTheirSectors(members, singles);
   std::vector<Candidate> others;
   for (const std::size_t kept : {0U, 1U}) {
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
