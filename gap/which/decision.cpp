@@ -228,8 +228,8 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
   decision.rivals = rivalsInPairs(quick, exact, pairs, added);
 }
 
-/// Puts the pair that is named if any is first. What may stand in a member's place shows only where it was fitted
-/// beside the other one, so once more if another pair leads then.
+/// Puts first the pair that is named, if any is. What may stand in a member's place shows only where it was fitted
+/// beside the other member: where another pair leads after that, its members are exchanged, too.
 void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                   const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                   const core::Progress& progress) {

@@ -1,7 +1,6 @@
 #include "gap/which/exchanges.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -21,14 +20,13 @@ constexpr double kTooFarBehind = 0.3;   // of what the best pair explains of the
 constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.
-std::vector<Candidate> alsoInTheirSectors(const std::vector<Candidate>& members, std::vector<Candidate> singles) {
-  std::vector<Candidate> moved;
+std::vector<Candidate> alsoInTheirSectors(const std::vector<Candidate>& members,
+                                          const std::vector<Candidate>& singles) {
+  std::vector<Candidate> known = singles;
   for (const Candidate& member : members) {
-    std::vector<Candidate> others = inSectorOf(member, singles);
-    std::move(others.begin(), others.end(), std::back_inserter(moved));
+    for (Candidate& moved : inSectorOf(member, singles)) known.push_back(std::move(moved));
   }
-  std::move(moved.begin(), moved.end(), std::back_inserter(singles));
-  return singles;
+  return known;
 }
 
 /// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
