@@ -98,21 +98,6 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
   return singles;
 }
 
-/// Judges those that act in a sector in that of the best cause as well, if it has one, and keeps what is better there.
-void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
-                    std::vector<Candidate>& singles, const core::Progress& progress) {
-  std::vector<Candidate> moved = inSectorOf(singles.front(), singles);
-  for (Candidate& candidate : moved) {
-    core::stopIfCancelled(progress);
-    candidate.total_left = gaps.leftIn(worldOf(exact.replay, candidate.hypothesis, candidate.values));
-    exact.hear(candidate);
-  }
-  std::erase_if(moved, [&](const Candidate& one) { return !better(one, singles[placeOfForm(singles, one)]); });
-  if (moved.empty()) return;
-  polish(exact, gaps, moved, where, progress);
-  takeBetter(std::move(moved), singles);
-}
-
 /// The best causes, those that gain most above what they make of noise (some make more of it than others), and those
 /// that the values show by themselves.
 std::vector<Candidate> worthALook(const Judge& quick, const std::vector<Candidate>& singles) {

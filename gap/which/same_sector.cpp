@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "gap/far/how_far.h"
+
 namespace gap {
 
 namespace {
@@ -61,6 +63,20 @@ std::vector<Candidate> inSectorOf(const Candidate& known, const std::vector<Cand
     put(sector, *numbers, moved.back());
   }
   return moved;
+}
+
+void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                    std::vector<Candidate>& singles, const core::Progress& progress) {
+  std::vector<Candidate> moved = inSectorOf(singles.front(), singles);
+  for (Candidate& candidate : moved) {
+    core::stopIfCancelled(progress);
+    candidate.total_left = gaps.leftIn(worldOf(exact.replay, candidate.hypothesis, candidate.values));
+    exact.hear(candidate);
+  }
+  std::erase_if(moved, [&](const Candidate& one) { return !better(one, singles[placeOfForm(singles, one)]); });
+  if (moved.empty()) return;
+  polish(exact, gaps, moved, where, progress);
+  takeBetter(std::move(moved), singles);
 }
 
 }  // namespace gap

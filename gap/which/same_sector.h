@@ -12,4 +12,9 @@ namespace gap {
 /// it is. Empty if the known cause acts in no sector.
 [[nodiscard]] std::vector<Candidate> inSectorOf(const Candidate& known, const std::vector<Candidate>& others);
 
+/// Judges the causes that act in a sector in that of the first one as well, if it acts in one, by all beams and by the
+/// total gap, and fits again and keeps what is better there; best merit first then, else as they were.
+void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                    std::vector<Candidate>& singles, const core::Progress& progress);
+
 }  // namespace gap

@@ -4,6 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "gap/far/how_far.h"
+#include "tests/gap/hypothesis_named.h"
+#include "tests/gap/small_world.h"
+
 namespace {
 
 gap::FreeParameter number(const std::string& name, double low, double high) {
@@ -62,6 +66,31 @@ TEST(SameSector, NeitherFormsOfTheSameCauseNorCausesOfOtherSensorsAreMoved) {
   gap::Candidate of_left = light({50.0, 2.0, 1.0});
   of_left.hypothesis.sensors = {"left"};
   EXPECT_TRUE(gap::inSectorOf(dirt({0.3, -4.0, 10.0}), {dirt({0.1, 0.0, 1.0}), of_left}).empty());
+}
+
+// Dirt that takes 0.4 of the light each way leaves as much as a receiver that lost 0.64 of its gain. That one had been
+// fitted a beam too wide at either end.
+TEST(SameSector, ACauseIsKeptInTheBestOnesSectorWhereItIsNearerToTheData) {
+  const test_support::SmallWorld world;
+  const auto modelWith = test_support::SmallWorld::modelWith;
+  const model::Experiment measured = world.measuredBy(
+      modelWith({{"cover-contamination", {{"attenuation", 0.4}, {"azimuth_from_deg", 5.5}, {"azimuth_to_deg", 8.5}}}},
+                {}),
+      0.4);
+  const gap::Replay replay(measured, modelWith({}, {}));
+  const gap::Split split = gap::splitOf(replay, 1);
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  const gap::HeldOutGaps gaps(replay, split.held_out.samples, 1);
+  const auto all = gap::hypothesesFor(replay, {"cover-contamination", "blinding", "range-offset"});
+  std::vector<gap::Candidate> singles{
+      {test_support::hypothesisNamed(all, "cover-contamination"), {0.4, 5.5, 8.5}},
+      {test_support::hypothesisNamed(all, "blinding", "desensitised"), {7.0, 0.1, 5.0, 0.64}},
+      {test_support::hypothesisNamed(all, "range-offset"), {0.01}}};
+  for (gap::Candidate& single : singles) judge.hear(single);
+  gap::shareTheSector(judge, gaps, gap::whereIn(replay, replay.baseline(), 1), singles, core::SilentProgress());
+  ASSERT_EQ(singles[1].hypothesis.name, "blinding");
+  EXPECT_NEAR(singles[1].values[2], 3.0, 1.0);  // between the beams beside, which are a degree apart
+  EXPECT_EQ(singles[2].values, std::vector<double>{0.01});
 }
 
 TEST(SameSector, WhatActsInNoSectorMovesNothing) {
