@@ -18,8 +18,7 @@ namespace {
 constexpr int kNullRuns = 20;              // their spread is known to a sixth
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
-constexpr std::size_t kLeaders = 6;   // candidates that are judged with all beams
-constexpr std::size_t kPolished = 3;  // of them fitted with more frames, and
+constexpr std::size_t kPolished = 3;  // of the leaders fitted with more frames, and
 constexpr double kRival = 0.15;       // in merit: those that may yet lead, which fits of one kind alone can tell
 constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutedSamples = 4;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/progress.h"
@@ -9,6 +10,8 @@
 namespace gap {
 
 class HeldOutGaps;
+
+inline constexpr std::size_t kLeaders = 6;  ///< best candidates, which all beams judge
 
 /// A hypothesis with its fit and what the held-out data say of it.
 struct Candidate {

@@ -8,12 +8,6 @@
 
 namespace gap {
 
-namespace {
-
-constexpr std::size_t kJoined = 6;  // best single causes: as many as all beams judge (polish)
-
-}  // namespace
-
 bool samePair(const Candidate& a, const Candidate& b) {
   const auto &x = a.hypothesis.members, &y = b.hypothesis.members;
   const auto same = [](const Hypothesis& p, const Hypothesis& q) { return formOf(p) == formOf(q); };
@@ -32,7 +26,7 @@ void takePair(Candidate pair, std::vector<Candidate>& pairs) {
 void joinLeaders(const Judge& exact, const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                  const core::Progress& progress) {
   std::vector<Candidate> joined;
-  for (std::size_t b = 1; b < std::min(kJoined, singles.size()); ++b)
+  for (std::size_t b = 1; b < std::min(kLeaders, singles.size()); ++b)
     for (std::size_t a = 0; a < b; ++a)
       if (pairable(singles[a].hypothesis, singles[b].hypothesis)) joined.push_back(pairOf(singles[a], singles[b]));
   core::parallelFor(joined.size(), 1, [&](std::size_t j, std::size_t) {

@@ -138,6 +138,15 @@ struct BeamView {
   double power_constant_w_m2;
 };
 
+/// What an effect does to the pulses of one frame's shots. What all beams of the frame share (drops that hang in the
+/// air) is drawn already. Lives no longer than the effect and the scene that it comes from.
+class Disturbance {
+ public:
+  virtual ~Disturbance() = default;
+  /// Adds, moves or weakens pulses of a shot at random. `key` is that of the effect's stream for this shot.
+  virtual void disturb(const BeamView&, const core::Random::Key& key, std::vector<Pulse>&) const = 0;
+};
+
 /// Where an echo ended up.
 enum class Fate {
   kDetected,
@@ -190,11 +199,13 @@ class Effect {
   virtual void couple(std::span<const Beam>, const ChainSettings&, std::vector<std::vector<Pulse>>&) const {}
 
   // --- one shot: a beam in a frame
-  /// Adds, moves or weakens pulses of a shot at random. `key` is that of the effect's stream for this shot; with
-  /// kWholeFrame as its beam it is that of a stream that all beams of the frame share.
+  /// Disturbs the pulses of shots at random: what it does so with in one frame, drawn once for all of its beams. `key`
+  /// is that of a stream of the effect's own that belongs to the frame.
   [[nodiscard]] virtual bool disturbs() const { return false; }
-  virtual void disturb(const BeamView&, const core::Random::Key&, std::vector<Pulse>&) const {}
-  static constexpr std::uint32_t kWholeFrame = 0xFFFFFFFF;
+  [[nodiscard]] virtual std::unique_ptr<const Disturbance> inFrame(const Scene&, const ChainSettings&,
+                                                                   const core::Random::Key& /*key*/) const {
+    return nullptr;
+  }
   /// Multiplies all of a beam's power in one frame (speckle, jitter); 1 is no change.
   [[nodiscard]] virtual bool fluctuates() const { return false; }
   [[nodiscard]] virtual double fluctuation(const Beam&, core::Random&) const { return 1.0; }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "model/effects/declarations.h"
@@ -137,6 +138,45 @@ void Field::draw(const BeamView& view, core::Random& random, std::vector<Particl
   }
 }
 
+/// How much light the particles leave. Sorts them by range.
+class Shadows {
+ public:
+  explicit Shadows(std::vector<Field::Particle>& particles) : particles_(particles) {
+    std::stable_sort(particles.begin(), particles.end(), nearer);
+    for (const Field::Particle& particle : particles)
+      left_.push_back(left_.back() * (1.0 - particle.blocked) * (1.0 - particle.blocked));
+  }
+  [[nodiscard]] double lightBehind(double range_m) const {
+    const auto beyond = std::lower_bound(particles_.begin(), particles_.end(), Field::Particle{range_m}, nearer);
+    return left_[static_cast<std::size_t>(beyond - particles_.begin())];
+  }
+
+ private:
+  static bool nearer(const Field::Particle& a, const Field::Particle& b) { return a.range_m < b.range_m; }
+  const std::vector<Field::Particle>& particles_;
+  std::vector<double> left_{1.0};  ///< behind so many of them
+};
+
+/// Drops and flakes are others in every shot.
+class Falling final : public Disturbance {
+ public:
+  explicit Falling(const std::vector<Field>& fields) : fields_(fields) {}
+
+  void disturb(const BeamView& view, const core::Random::Key& key, std::vector<Pulse>& pulses) const override {
+    std::vector<Field::Particle> particles;
+    core::Random random(key);
+    for (const Field& field : fields_) field.draw(view, random, particles);
+    if (particles.empty()) return;
+    const Shadows shadows(particles);
+    for (Pulse& pulse : pulses) pulse.power_w *= shadows.lightBehind(pulse.range_m);
+    for (const Field::Particle& particle : particles)
+      pulses.push_back({particle.range_m, particle.power_w * shadows.lightBehind(particle.range_m)});
+  }
+
+ private:
+  const std::vector<Field>& fields_;
+};
+
 /// Single drops and flakes as small targets in the beam: echoes of their own, and a shadow on what lies behind.
 ///
 ///   P = η A_r P_t · b · χ(r) · σ / (A(r) r²),  A(r) = (w + r φ_h)(r φ_v + w)     hence r^-2 near, r^-4 far
@@ -166,37 +206,12 @@ class PrecipitationClutter final : public Effect {
     if (snow_rate_mm_h_ > 0.0) fields_.emplace_back(snow(snow_rate_mm_h_), settings, window_m_);
   }
   [[nodiscard]] bool disturbs() const override { return !fields_.empty(); }
-  void disturb(const BeamView& view, const core::Random::Key& key, std::vector<Pulse>& pulses) const override {
-    std::vector<Field::Particle> particles;
-    core::Random random(key);
-    for (const Field& field : fields_) field.draw(view, random, particles);
-    if (particles.empty()) return;
-    const Shadows shadows(particles);
-    for (Pulse& pulse : pulses) pulse.power_w *= shadows.lightBehind(pulse.range_m);
-    for (const Field::Particle& particle : particles)
-      pulses.push_back({particle.range_m, particle.power_w * shadows.lightBehind(particle.range_m)});
+  [[nodiscard]] std::unique_ptr<const Disturbance> inFrame(const Scene&, const ChainSettings&,
+                                                           const core::Random::Key&) const override {
+    return std::make_unique<Falling>(fields_);
   }
 
  private:
-  /// How much light the particles leave. Sorts them by range.
-  class Shadows {
-   public:
-    explicit Shadows(std::vector<Field::Particle>& particles) : particles_(particles) {
-      std::stable_sort(particles.begin(), particles.end(), nearer);
-      for (const Field::Particle& particle : particles)
-        left_.push_back(left_.back() * (1.0 - particle.blocked) * (1.0 - particle.blocked));
-    }
-    [[nodiscard]] double lightBehind(double range_m) const {
-      const auto beyond = std::lower_bound(particles_.begin(), particles_.end(), Field::Particle{range_m}, nearer);
-      return left_[static_cast<std::size_t>(beyond - particles_.begin())];
-    }
-
-   private:
-    static bool nearer(const Field::Particle& a, const Field::Particle& b) { return a.range_m < b.range_m; }
-    const std::vector<Field::Particle>& particles_;
-    std::vector<double> left_{1.0};  ///< behind so many of them
-  };
-
   std::optional<double> rain_rate_mm_h_;
   double snow_rate_mm_h_;
   double window_m_;

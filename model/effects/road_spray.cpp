@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "model/effects/declarations.h"
@@ -16,22 +17,44 @@ constexpr double kLogDensitySpread = 1.1;                    ///< so is its exti
 constexpr double kSmallestVehicle_m = 1.0;                   ///< smaller things raise no plume of their own
 constexpr Vector3 kHalfMesh_m = {2.2, 0.9, 0.75};            ///< of a vehicle whose size the scene does not tell
 
-struct Cluster {
+/// Where the beam's axis passes a cluster.
+struct Crossed {
   Passage way;
   double extinction_1_m;
 };
 
+/// A ball of droplets behind a vehicle, in the axes of its plume.
+struct Cluster {
+  double behind_m, left_m, up_m;
+  double radius_m;
+  double extinction_1_m;
+};
+
+struct Size {
+  double length_m, width_m, height_m;
+};
+
 /// The box behind a vehicle in which its spray hangs, with axes backwards, to the left of that, and up.
 struct Plume {
-  Vector3 origin_m;  ///< middle of the vehicle's rear, at its lower edge
+  Vector3 origin_m;  ///< middle of the vehicle's rear, at its lower edge, when the frame begins
+  Vector3 velocity_m_s;
   Vector3 back;
   Vector3 aside;
   double strength;  ///< 1 at 100 km/h
+  std::vector<Cluster> clusters;
 
-  [[nodiscard]] Vector3 place(double behind_m, double left_m, double up_m) const {
-    return {origin_m[0] + behind_m * back[0] + left_m * aside[0], origin_m[1] + behind_m * back[1] + left_m * aside[1],
-            origin_m[2] + up_m};
+  /// Where it stands as seen from a sensor that moves.
+  [[nodiscard]] Vector3 originAt(double time_s, const ChainSettings& settings) const {
+    Vector3 origin = origin_m;
+    for (std::size_t k = 0; k < 3; ++k) origin[k] += (velocity_m_s[k] - settings.sensor_velocity_m_s[k]) * time_s;
+    return origin;
   }
+  [[nodiscard]] Vector3 placeOf(const Cluster& cluster, const Vector3& origin) const {
+    return {origin[0] + cluster.behind_m * back[0] + cluster.left_m * aside[0],
+            origin[1] + cluster.behind_m * back[1] + cluster.left_m * aside[1], origin[2] + cluster.up_m};
+  }
+  /// Whether a ray from a sensor that stands there, seen from the plume's origin, passes the box around all clusters.
+  [[nodiscard]] bool crossedBy(const Vector3& direction, const Vector3& from, const Size& size) const;
 };
 
 double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -47,6 +70,76 @@ double extentAlong(const SceneObject& object, const Vector3& direction) {
   }
   return extent;
 }
+
+bool Plume::crossedBy(const Vector3& direction, const Vector3& from, const Size& size) const {
+  const Vector3 start = {dot(from, back), dot(from, aside), from[2]};
+  const Vector3 slope = {dot(direction, back), dot(direction, aside), direction[2]};
+  const Vector3 low = {-kLargestRadius_m, -size.width_m / 2.0 - kLargestRadius_m, -kLargestRadius_m};
+  const Vector3 high = {size.length_m + kLargestRadius_m, size.width_m / 2.0 + kLargestRadius_m,
+                        size.height_m + kLargestRadius_m};
+  double enter = 0.0, leave = 1e9;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(slope[k]) < 1e-12) {
+      if (start[k] < low[k] || start[k] > high[k]) return false;
+      continue;
+    }
+    const double a = (low[k] - start[k]) / slope[k], b = (high[k] - start[k]) / slope[k];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave;
+}
+
+double lightAt(const std::vector<Crossed>& clusters, double range_m) {
+  double depth = 0.0;
+  for (const Crossed& cluster : clusters) depth += cluster.extinction_1_m * cluster.way.lengthBefore_m(range_m);
+  return std::exp(-2.0 * depth);
+}
+
+/// The plumes of a frame.
+class Spray final : public Disturbance {
+ public:
+  Spray(std::vector<Plume> plumes, const Size& size) : plumes_(std::move(plumes)), size_(size) {}
+
+  void disturb(const BeamView& view, const core::Random::Key& key, std::vector<Pulse>& pulses) const override {
+    const std::vector<Crossed> crossed = crossedBy(view);
+    if (crossed.empty()) return;
+    for (Pulse& pulse : pulses) pulse.power_w *= lightAt(crossed, pulse.range_m);
+    core::Random random(key);
+    for (const Crossed& cluster : crossed) addEcho(view, cluster, crossed, random, pulses);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Crossed> crossedBy(const BeamView& view) const {
+    std::vector<Crossed> crossed;
+    const Vector3 direction = directionOf(view.beam, 0.0, 0.0), sensor_m = view.settings.sensor_position_m;
+    for (const Plume& plume : plumes_) {
+      const Vector3 origin = plume.originAt(view.beam.scene_time_s, view.settings);
+      const Vector3 from = {sensor_m[0] - origin[0], sensor_m[1] - origin[1], sensor_m[2] - origin[2]};
+      if (!plume.crossedBy(direction, from, size_)) continue;
+      for (const Cluster& cluster : plume.clusters) {
+        const Passage way = passageThroughSphere(sensor_m, direction, plume.placeOf(cluster, origin), cluster.radius_m);
+        if (way.length_m() > 0.0) crossed.push_back({way, cluster.extinction_1_m});
+      }
+    }
+    return crossed;
+  }
+  static void addEcho(const BeamView& view, const Crossed& cluster, const std::vector<Crossed>& clusters,
+                      core::Random& random, std::vector<Pulse>& pulses) {
+    const double chord_m = cluster.way.length_m();
+    const double middle_m = 0.5 * (cluster.way.enter_m + cluster.way.leave_m);
+    const double range_m =
+        std::clamp(middle_m + chord_m / 6.0 * random.normal(), cluster.way.enter_m, cluster.way.leave_m);
+    if (range_m < view.settings.detection.min_range_m) return;
+    const double reflected_1_sr = cluster.extinction_1_m / kLidarRatioOfDroplets_sr * chord_m;
+    const double power_w = view.power_constant_w_m2 * reflected_1_sr / (range_m * range_m) * openShare(view, range_m) *
+                           lightAt(clusters, range_m);
+    if (power_w > 0.0) pulses.push_back({range_m, power_w});
+  }
+
+  std::vector<Plume> plumes_;
+  Size size_;
+};
 
 /// Behind vehicles that are faster than a speed on a wet road clusters of droplets hang in a box as long as the plume.
 /// They belong to the frame: all its beams meet the same ones.
@@ -66,63 +159,37 @@ class RoadSpray final : public Effect {
  public:
   explicit RoadSpray(const EffectParameters& parameters)
       : density_1_m3_(parameters.numberOr("density", 1.0)),
-        length_m_(parameters.numberOr("plume_length_m", 10.0)),
-        width_m_(parameters.numberOr("plume_width_m", 3.4)),
-        height_m_(parameters.numberOr("plume_height_m", 1.5)),
+        size_{parameters.numberOr("plume_length_m", 10.0), parameters.numberOr("plume_width_m", 3.4),
+              parameters.numberOr("plume_height_m", 1.5)},
         extinction_1_m_(parameters.numberOr("extinction_1_m", 0.02)),
         least_speed_m_s_(parameters.numberOr("least_speed_m_s", 50.0 / 3.6)) {}
 
   [[nodiscard]] bool disturbs() const override { return density_1_m3_ > 0.0; }
-  void disturb(const BeamView& view, const core::Random::Key& key, std::vector<Pulse>& pulses) const override {
-    const Vector3 direction = directionOf(view.beam, 0.0, 0.0);
-    std::vector<Cluster> clusters;
-    for (std::size_t i = 0; i < view.scene.objects.size(); ++i) {
-      const std::optional<Plume> plume = plumeOf(view.scene.objects[i], view);
-      if (!plume || !crosses(*plume, view.settings.sensor_position_m, direction)) continue;
-      core::Random::Key shared = key;  // a stream an object: nobody's clusters depend on whether others are crossed
-      shared.beam = kWholeFrame - static_cast<std::uint32_t>(i);
-      core::Random random(shared);
-      drawClusters(*plume, view.settings.sensor_position_m, direction, random, clusters);
+  [[nodiscard]] std::unique_ptr<const Disturbance> inFrame(const Scene& scene, const ChainSettings&,
+                                                           const core::Random::Key& key) const override {
+    std::vector<Plume> plumes;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      std::optional<Plume> plume = plumeOf(scene.objects[i]);
+      if (!plume) continue;
+      core::Random::Key own = key;  // a stream an object: nobody's clusters depend on what else drives
+      own.beam -= static_cast<std::uint32_t>(i);
+      plume->clusters = drawClusters(plume->strength, core::Random(own));
+      plumes.push_back(std::move(*plume));
     }
-    if (clusters.empty()) return;
-    for (Pulse& pulse : pulses) pulse.power_w *= lightAt(clusters, pulse.range_m);
-    core::Random random(key);
-    for (const Cluster& cluster : clusters) addEcho(view, cluster, clusters, random, pulses);
+    return std::make_unique<Spray>(std::move(plumes), size_);
   }
 
  private:
-  [[nodiscard]] std::optional<Plume> plumeOf(const SceneObject& object, const BeamView& view) const;
-  [[nodiscard]] bool crosses(const Plume& plume, const Vector3& sensor_m, const Vector3& direction) const;
-  void drawClusters(const Plume& plume, const Vector3& sensor_m, const Vector3& direction, core::Random& random,
-                    std::vector<Cluster>& out) const;
-
-  static double lightAt(const std::vector<Cluster>& clusters, double range_m) {
-    double depth = 0.0;
-    for (const Cluster& cluster : clusters) depth += cluster.extinction_1_m * cluster.way.lengthBefore_m(range_m);
-    return std::exp(-2.0 * depth);
-  }
-  static void addEcho(const BeamView& view, const Cluster& cluster, const std::vector<Cluster>& clusters,
-                      core::Random& random, std::vector<Pulse>& pulses) {
-    const double chord_m = cluster.way.length_m();
-    const double middle_m = 0.5 * (cluster.way.enter_m + cluster.way.leave_m);
-    const double range_m =
-        std::clamp(middle_m + chord_m / 6.0 * random.normal(), cluster.way.enter_m, cluster.way.leave_m);
-    if (range_m < view.settings.detection.min_range_m) return;
-    const double reflected_1_sr = cluster.extinction_1_m / kLidarRatioOfDroplets_sr * chord_m;
-    const double power_w = view.power_constant_w_m2 * reflected_1_sr / (range_m * range_m) * openShare(view, range_m) *
-                           lightAt(clusters, range_m);
-    if (power_w > 0.0) pulses.push_back({range_m, power_w});
-  }
+  [[nodiscard]] std::optional<Plume> plumeOf(const SceneObject& object) const;
+  [[nodiscard]] std::vector<Cluster> drawClusters(double strength, core::Random random) const;
 
   double density_1_m3_;
-  double length_m_;
-  double width_m_;
-  double height_m_;
+  Size size_;
   double extinction_1_m_;
   double least_speed_m_s_;
 };
 
-std::optional<Plume> RoadSpray::plumeOf(const SceneObject& object, const BeamView& view) const {
+std::optional<Plume> RoadSpray::plumeOf(const SceneObject& object) const {
   const Vector3& v = object.velocity_m_s;
   const double speed_m_s = std::hypot(v[0], v[1]);
   if (speed_m_s <= least_speed_m_s_ || std::holds_alternative<Plane>(object.shape)) return std::nullopt;
@@ -131,48 +198,26 @@ std::optional<Plume> RoadSpray::plumeOf(const SceneObject& object, const BeamVie
   const Vector3 back = {-v[0] / speed_m_s, -v[1] / speed_m_s, 0.0};
   const double rear_m = extentAlong(object, back), low_m = extentAlong(object, {0.0, 0.0, 1.0});
   Vector3 origin = object.pose.position_m;
-  for (std::size_t k = 0; k < 3; ++k) {
-    origin[k] += rear_m * back[k] + (v[k] - view.settings.sensor_velocity_m_s[k]) * view.beam.scene_time_s;
-  }
+  for (std::size_t k = 0; k < 3; ++k) origin[k] += rear_m * back[k];
   origin[2] -= low_m;
   const double strength = (speed_m_s - least_speed_m_s_) / (kReferenceSpeed_m_s - least_speed_m_s_);
-  return Plume{origin, back, {-back[1], back[0], 0.0}, strength};
+  return Plume{origin, v, back, {-back[1], back[0], 0.0}, strength, {}};
 }
 
-/// Whether the ray passes the box around all clusters.
-bool RoadSpray::crosses(const Plume& plume, const Vector3& sensor_m, const Vector3& direction) const {
-  const Vector3 from = {sensor_m[0] - plume.origin_m[0], sensor_m[1] - plume.origin_m[1],
-                        sensor_m[2] - plume.origin_m[2]};
-  const Vector3 up = {0.0, 0.0, 1.0};
-  const Vector3 start = {dot(from, plume.back), dot(from, plume.aside), from[2]};
-  const Vector3 slope = {dot(direction, plume.back), dot(direction, plume.aside), dot(direction, up)};
-  const Vector3 low = {-kLargestRadius_m, -width_m_ / 2.0 - kLargestRadius_m, -kLargestRadius_m};
-  const Vector3 high = {length_m_ + kLargestRadius_m, width_m_ / 2.0 + kLargestRadius_m, height_m_ + kLargestRadius_m};
-  double enter = 0.0, leave = 1e9;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (std::abs(slope[k]) < 1e-12) {
-      if (start[k] < low[k] || start[k] > high[k]) return false;
-      continue;
-    }
-    const double a = (low[k] - start[k]) / slope[k], b = (high[k] - start[k]) / slope[k];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return enter < leave;
-}
-
-void RoadSpray::drawClusters(const Plume& plume, const Vector3& sensor_m, const Vector3& direction,
-                             core::Random& random, std::vector<Cluster>& out) const {
-  const double decay_m = length_m_ / 3.0;
-  const std::uint32_t count = random.poisson(density_1_m3_ * length_m_ * width_m_ * height_m_ * plume.strength);
+std::vector<Cluster> RoadSpray::drawClusters(double strength, core::Random random) const {
+  const double decay_m = size_.length_m / 3.0;
+  const std::uint32_t count =
+      random.poisson(density_1_m3_ * size_.length_m * size_.width_m * size_.height_m * strength);
+  std::vector<Cluster> clusters;
+  clusters.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const double behind_m = -decay_m * std::log(1.0 - random.uniform() * (1.0 - std::exp(-length_m_ / decay_m)));
-    const double left_m = width_m_ * (random.uniform() - 0.5), up_m = height_m_ * random.uniform();
+    const double behind_m = -decay_m * std::log(1.0 - random.uniform() * (1.0 - std::exp(-size_.length_m / decay_m)));
+    const double left_m = size_.width_m * (random.uniform() - 0.5), up_m = size_.height_m * random.uniform();
     const double radius_m = std::min(kLargestRadius_m, std::exp(kLogRadius + kLogRadiusSpread * random.normal()));
     const double log_density = kLogDensitySpread * random.normal() - 0.5 * kLogDensitySpread * kLogDensitySpread;
-    const Passage way = passageThroughSphere(sensor_m, direction, plume.place(behind_m, left_m, up_m), radius_m);
-    if (way.length_m() > 0.0) out.push_back({way, extinction_1_m_ * std::exp(log_density)});
+    clusters.push_back({behind_m, left_m, up_m, radius_m, extinction_1_m_ * std::exp(log_density)});
   }
+  return clusters;
 }
 
 }  // namespace

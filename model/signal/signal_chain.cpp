@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/physics.h"
@@ -49,14 +51,6 @@ TracedBeams someBeams(const BeamHits& geometry, std::size_t begin, std::size_t e
 
 TracedBeams oneBeam(const BeamHits& geometry, std::size_t beam) { return someBeams(geometry, beam, beam + 1); }
 
-/// Lone pulses and others of a tile are fired apart; here they come into the order frame, beam, echo.
-void putInOrder(std::vector<Shot>& shots) {
-  const auto before = [](const Shot& a, const Shot& b) {
-    return std::tie(a.frame, a.beam, a.echo) < std::tie(b.frame, b.beam, b.echo);
-  };
-  if (!std::is_sorted(shots.begin(), shots.end(), before)) std::sort(shots.begin(), shots.end(), before);
-}
-
 std::vector<Shot> joined(const std::vector<std::vector<Shot>>& pieces) {
   std::vector<std::size_t> first(1, 0);
   for (const auto& piece : pieces) first.push_back(first.back() + piece.size());
@@ -68,9 +62,8 @@ std::vector<Shot> joined(const std::vector<std::vector<Shot>>& pieces) {
   return shots;
 }
 
-/// Tiles came one after the other; the result goes frame by frame (a stable counting sort).
-std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, const RunOptions& options) {
-  if (options.frames == 1) return joined(pieces);
+/// Shots in order of their frames, and within a frame as they were (a stable counting sort).
+std::vector<Shot> frameByFrame(std::span<const std::vector<Shot>> pieces, const RunOptions& options) {
   const auto indexOf = [&](const Shot& shot) { return static_cast<std::size_t>(shot.frame - options.first_frame); };
   std::vector<std::size_t> position(static_cast<std::size_t>(options.frames) + 1, 0);
   for (const auto& piece : pieces) {
@@ -84,6 +77,21 @@ std::vector<Shot> frameByFrame(const std::vector<std::vector<Shot>>& pieces, con
   return shots;
 }
 
+/// Tiles came one after the other; the result goes frame by frame.
+std::vector<Shot> inOneRow(const std::vector<std::vector<Shot>>& tiles, const RunOptions& options) {
+  return options.frames == 1 ? joined(tiles) : frameByFrame(tiles, options);
+}
+
+/// Shots of lone pulses among those of the tile's other beams: frame by frame, beam by beam, echo by echo, as both
+/// come.
+std::vector<Shot> merged(const std::vector<Shot>& others, const std::vector<Shot>& lone) {
+  std::vector<Shot> shots(others.size() + lone.size());
+  std::merge(others.begin(), others.end(), lone.begin(), lone.end(), shots.begin(), [](const Shot& a, const Shot& b) {
+    return std::tie(a.frame, a.beam, a.echo) < std::tie(b.frame, b.beam, b.echo);
+  });
+  return shots;
+}
+
 }  // namespace
 
 /// Buffers that one thread reuses from beam to beam.
@@ -91,7 +99,8 @@ struct SignalChain::Scratch {
   GeometryPass::Tile tile;
   PowerStage::Scratch power;
   Pulses pulses;
-  std::vector<WaveformPart> parts;
+  std::vector<WaveformPart> calm;   ///< parts of the beam's waveform, and
+  std::vector<WaveformPart> parts;  ///< of a shot that is disturbed
   LonePulses lone;
   BeamNoise noise;
   std::size_t first_beam = 0;  ///< of the tile
@@ -101,11 +110,6 @@ struct SignalChain::Scratch {
   std::vector<Stretch> of_part;
   std::vector<Echo> echoes;
 };
-
-core::Random::Key SignalChain::Drawing::keyOf(core::Random::Key shot) const {
-  shot.purpose = purpose;
-  return shot;
-}
 
 SignalChain::SignalChain(const SensorProfile& sensor, const std::vector<ActiveEffect>& effects,
                          const Environment& environment)
@@ -253,7 +257,7 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
     for (const Effect* effect : echo_effects_) effect->process(echoes[e], receiver, settings_);
     blur(echoes[e], settings_, scratch.noise.of(key.frame, static_cast<std::uint32_t>(e)));
   }
-  for (const Drawing& drawing : reporting_effects_) {
+  for (const DrawingEffect& drawing : reporting_effects_) {
     core::Random own(drawing.keyOf(key));
     const std::size_t known = echoes.size();
     drawing.effect->report(echoes, settings_, own);
@@ -272,40 +276,44 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
 
 double SignalChain::gainOf(const Beam& beam, const core::Random::Key& shot) const {
   double gain = 1.0;
-  for (const Drawing& drawing : fluctuating_effects_) {
+  for (const DrawingEffect& drawing : fluctuating_effects_) {
     core::Random own(drawing.keyOf(shot));
     gain *= drawing.effect->fluctuation(beam, own);
   }
   return gain;
 }
 
-void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
-                           ShotRecord* record) const {
+/// Most shots are disturbed by nothing: a drop is in few of them, a plume in few beams.
+void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key,
+                           const Disturbances& disturbances, Scratch& scratch, ShotRecord* record) const {
+  bool calm = true;
   if (!disturbing_effects_.empty()) {
     scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
-    for (const Drawing& drawing : disturbing_effects_) {
-      drawing.effect->disturb(beam.view, drawing.keyOf(key), scratch.of_shot);
-    }
+    disturbances.disturb(beam.view, key, scratch.of_shot);
+    calm = std::equal(scratch.of_shot.begin(), scratch.of_shot.end(), beam.pulses.begin(), beam.pulses.end());
     if (record) record->pulses = scratch.of_shot;
-    scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
+    if (!calm) scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
   }
   const double gain = gainOf(beam.view.beam, key);
   if (record) record->gain = gain;
-  listenTo(scratch.parts, receiver, gain, key, scratch, record);
+  listenTo(calm ? scratch.calm : scratch.parts, receiver, gain, key, scratch, record);
   finish(receiver, key, scratch, record);
 }
 
-void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratch& scratch,
-                           std::vector<Shot>& out) const {
+/// Hears what the beam receives where nothing disturbs it.
+void SignalChain::load(const Loaded& beam, const Receiver& receiver, Scratch& scratch) const {
+  scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
+  scratch.calm = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
+}
+
+void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, const Disturbances& disturbances,
+                           Scratch& scratch, std::vector<Shot>& out) const {
   const Receiver receiver = receiverOf(beam.view);
-  if (disturbing_effects_.empty()) {
-    scratch.of_shot.assign(beam.pulses.begin(), beam.pulses.end());
-    scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
-    if (scratch.parts.empty() && reporting_effects_.empty()) return;
-  }
+  load(beam, receiver, scratch);
+  if (scratch.calm.empty() && reporting_effects_.empty() && disturbing_effects_.empty()) return;
   scratch.noise.begin(keyOf(options, options.first_frame, beam.index), static_cast<std::size_t>(options.frames));
   for (int frame = options.first_frame; frame < options.first_frame + options.frames; ++frame) {
-    fireShot(beam, receiver, keyOf(options, frame, beam.index), scratch, nullptr);
+    fireShot(beam, receiver, keyOf(options, frame, beam.index), disturbances, scratch, nullptr);
     std::int32_t number = 0;
     for (const Echo& echo : scratch.echoes) {
       out.push_back({beam.index, frame, ++number, echo.range_m, echo.epw_m, kWattToNanowatt * echo.peak_w});
@@ -317,7 +325,7 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, Scratc
 void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch,
                            std::vector<Shot>& out) const {
   LonePulses& lone = scratch.lone;
-  out.reserve(out.size() + lone.size() * static_cast<std::size_t>(options.frames));
+  out.reserve(lone.size() * static_cast<std::size_t>(options.frames));
   scratch.gain.assign(lone.size(), 1.0);
   for (int frame = options.first_frame; frame < options.first_frame + options.frames; ++frame) {
     const core::Random::Key key = keyOf(options, frame, 0);
@@ -347,8 +355,8 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
 }
 
 void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power,
-                           std::size_t first_beam, const RunOptions& options, Scratch& scratch,
-                           std::vector<Shot>& out) const {
+                           std::size_t first_beam, const RunOptions& options, const Disturbances& disturbances,
+                           Scratch& scratch, std::vector<Shot>& out) const {
   const bool closed_form = settings_.emitter.pulse_shape.isGaussian() && disturbing_effects_.empty() &&
                            receiver_effects_.empty() && reporting_effects_.empty();
   scratch.lone.clear();
@@ -363,14 +371,18 @@ void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, cons
       scratch.lone.add(index, of_beam.front(), noiseOf_w(view, settings_.receiver));
       continue;
     }
-    fireBeam({index, view, of_beam}, options, scratch, out);
+    fireBeam({index, view, of_beam}, options, disturbances, scratch, out);
   }
-  fireLone(traced, options, scratch, out);
-  putInOrder(out);
+  if (scratch.lone.size() == 0) return;
+  std::vector<Shot> of_lone;
+  fireLone(traced, options, scratch, of_lone);
+  out = out.empty() ? std::move(of_lone) : merged(frameByFrame(std::span(&out, 1), options), of_lone);
 }
 
 std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene, const RunOptions& options) const {
   const PowerStage power(settings_, all_effects_, scene);
+  const Disturbances disturbances(disturbing_effects_, scene, settings_, keyOf(options, options.first_frame, 0),
+                                  options.frames);
   const std::size_t grain = beamsPerTile(pass.rays().size());
   std::vector<std::vector<Shot>> pieces((pass.beams().size() + grain - 1) / grain);
   core::parallelFor(pass.beams().size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -383,14 +395,16 @@ std::vector<Shot> SignalChain::run(const GeometryPass& pass, const Scene& scene,
                              scratch.tile.second,
                              scratch.tile.first_second};
     power.receive(traced, scratch.power, scratch.pulses);
-    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
+    fireTile(traced, scratch.pulses, power, begin, options, disturbances, scratch, pieces[begin / grain]);
   });
-  return frameByFrame(pieces, options);
+  return inOneRow(pieces, options);
 }
 
 std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene, const RunOptions& options) const {
   const PowerStage power(settings_, all_effects_, scene);
   const Pulses coupled = couplesBeams() ? coupledPulses(geometry, power) : Pulses();
+  const Disturbances disturbances(disturbing_effects_, scene, settings_, keyOf(options, options.first_frame, 0),
+                                  options.frames);
   const std::size_t grain = beamsPerTile(geometry.hits.size() / std::max<std::size_t>(1, geometry.beams.size()));
   std::vector<std::vector<Shot>> pieces((geometry.beams.size() + grain - 1) / grain);
   core::parallelFor(geometry.beams.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -401,9 +415,9 @@ std::vector<Shot> SignalChain::run(const BeamHits& geometry, const Scene& scene,
     } else {
       power.receive(traced, scratch.power, scratch.pulses);
     }
-    fireTile(traced, scratch.pulses, power, begin, options, scratch, pieces[begin / grain]);
+    fireTile(traced, scratch.pulses, power, begin, options, disturbances, scratch, pieces[begin / grain]);
   });
-  return frameByFrame(pieces, options);
+  return inOneRow(pieces, options);
 }
 
 Pulses SignalChain::coupledPulses(const BeamHits& geometry, const PowerStage& power) const {
@@ -432,11 +446,11 @@ ShotRecord SignalChain::record(const BeamHits& geometry, std::size_t beam, const
   record.pulses.assign(loaded.pulses.begin(), loaded.pulses.end());
   record.receiver = receiverOf(view);
   Scratch scratch;
-  scratch.of_shot = record.pulses;
-  scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(record.receiver));
+  load(loaded, record.receiver, scratch);
   const core::Random::Key key = keyOf(options, frame, loaded.index);
   scratch.noise.begin(key, 1);
-  fireShot(loaded, record.receiver, key, scratch, &record);
+  const Disturbances disturbances(disturbing_effects_, scene, settings_, key, 1);
+  fireShot(loaded, record.receiver, key, disturbances, scratch, &record);
   return record;
 }
 

@@ -8,6 +8,7 @@
 #include "model/effects/effect.h"
 #include "model/geometry/geometry_pass.h"
 #include "model/lidar_model.h"
+#include "model/signal/disturbances.h"
 #include "model/signal/lone_pulses.h"
 #include "model/signal/power_stage.h"
 #include "model/signal/waveform.h"
@@ -77,12 +78,6 @@ class SignalChain {
 
  private:
   struct Scratch;
-  /// An effect that draws random numbers has a stream of its own: switching it on changes nobody else's noise.
-  struct Drawing {
-    const Effect* effect;
-    std::uint32_t purpose;
-    [[nodiscard]] core::Random::Key keyOf(core::Random::Key shot) const;
-  };
   /// A beam whose pulses are known, ready to be fired in every frame.
   struct Loaded {
     std::uint32_t index;  ///< of the beam in the scan
@@ -91,10 +86,13 @@ class SignalChain {
   };
 
   void fireTile(const TracedBeams& traced, const Pulses& pulses, const PowerStage& power, std::size_t first_beam,
-                const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
-  void fireBeam(const Loaded& beam, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
-  void fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key, Scratch& scratch,
-                ShotRecord* record) const;
+                const RunOptions& options, const Disturbances& disturbances, Scratch& scratch,
+                std::vector<Shot>& out) const;
+  void load(const Loaded& beam, const Receiver& receiver, Scratch& scratch) const;
+  void fireBeam(const Loaded& beam, const RunOptions& options, const Disturbances& disturbances, Scratch& scratch,
+                std::vector<Shot>& out) const;
+  void fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key,
+                const Disturbances& disturbances, Scratch& scratch, ShotRecord* record) const;
   void listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
                 const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
   [[nodiscard]] Receiver receiverOf(const BeamView& view) const;
@@ -116,9 +114,9 @@ class SignalChain {
   std::vector<const Effect*> receiver_effects_;
   std::vector<const Effect*> noise_effects_;
   std::vector<const Effect*> echo_effects_;
-  std::vector<Drawing> disturbing_effects_;
-  std::vector<Drawing> fluctuating_effects_;
-  std::vector<Drawing> reporting_effects_;
+  std::vector<DrawingEffect> disturbing_effects_;
+  std::vector<DrawingEffect> fluctuating_effects_;
+  std::vector<DrawingEffect> reporting_effects_;
 };
 
 /// Detections with the directions of their beams; the columns that the profile puts out.
