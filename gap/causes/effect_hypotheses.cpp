@@ -41,13 +41,15 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
   return hypothesis;
 }
 
-/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do. Of
-/// several sensors each has its own.
+/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
+/// Where they are too few to show it (a wall a set-up), the search begins at the step that they suggest: no other one
+/// of those it tries may fit. Of several sensors each has its own.
 void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
   FreeParameter& step = hypothesis.parameters.front();  // of the range
   const std::optional<Comb> comb = rangeComb(replay, hypothesis.sensors);
   if (!comb || comb->step > step.high) return;
   step.start = comb->step;
+  if (!comb->shown()) return;
   step.low = comb->step - comb->uncertain;
   step.high = comb->step + comb->uncertain;
   hypothesis.seen_in_values = true;

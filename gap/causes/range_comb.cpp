@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kPlacesPerTurn = 8.0;  // of the farthest value's phase: the peak is one turn wide
 constexpr double kMostPlaces = 40000.0;
-constexpr double kAligned = 0.9;    // of the mean cosine that a comb with this rounding has
-constexpr double kByChance = 1e-3;  // that scattered values are as well aligned with any of the combs looked at
+constexpr double kAligned = 0.9;  // of the mean cosine that a comb with this rounding has
+constexpr double kLikely = 0.05;  // by chance: no comb, not even to begin with
 constexpr double kCoarser = 4.0;  // times the rounding: two of its steps; finer combs look like coarser ones (aliasing)
 constexpr int kBitsOfPeak = 30;
-constexpr std::size_t kFewest = 10;
+constexpr std::size_t kFewest = 5;
 constexpr std::size_t kMostValues = 500;
 
 /// How near the values are to multiples of 1/frequency: 1 if all are.
@@ -57,7 +57,7 @@ std::optional<Comb> stepsThatRoundTo(const std::vector<double>& values, double s
     high = std::min(high, (value + rounding) / steps);
   }
   if (low > high) return std::nullopt;
-  return Comb{0.5 * (low + high), 0.5 * (high - low)};
+  return Comb{0.5 * (low + high), 0.5 * (high - low), 0.0};
 }
 
 }  // namespace
@@ -89,13 +89,14 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
                                         [&](double distance) { return distance < smallest + 2.0 * rounding + kSame; });
   const double by_chance = std::min(1.0, (places + 1.0) * std::exp(-static_cast<double>(some.size()) * most * most)) *
                            std::exp2(-static_cast<double>(neighbours));
-  if (most < kAligned * alignmentLeftBy(rounding, best) || by_chance > kByChance) return std::nullopt;
+  if (most < kAligned * alignmentLeftBy(rounding, best) || by_chance > kLikely) return std::nullopt;
   const auto misaligned = [&](double frequency) { return -alignment(values, frequency); };
   const double place = 1.0 / turns;
   best = boost::math::tools::brent_find_minima(misaligned, best - place, best + place, kBitsOfPeak).first;
   const double step = 1.0 / best;
-  const auto exact = stepsThatRoundTo(values, step, rounding + kSame);
-  return exact ? *exact : Comb{step, place * step * step};
+  Comb comb = stepsThatRoundTo(values, step, rounding + kSame).value_or(Comb{step, place * step * step, 0.0});
+  comb.by_chance = by_chance;
+  return comb;
 }
 
 std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {

@@ -218,9 +218,11 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
 void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                   const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                   const core::Progress& progress) {
+  const Candidate nearest = nearestToTheFitted(quick, pairs);
+  if (!samePair(nearest, pairs.front())) exchangeMembersOf(nearest, quick, exact, gaps, singles, pairs, progress);
   for (int round = 0; round < kRoundsOfExchanges; ++round) {
     const Candidate led = pairs.front();
-    exchangeMembers(quick, exact, gaps, singles, pairs, progress);
+    exchangeMembersOf(led, quick, exact, gaps, singles, pairs, progress);
     leadByAll(quick, exact, pairs, addedBySecond(singles.front(), pairs));
     if (samePair(led, pairs.front())) break;
   }

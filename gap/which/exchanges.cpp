@@ -16,7 +16,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 3;
-constexpr double kTooFarBehind = 0.3;   // of what the best pair explains of the fitted samples
+constexpr double kTooFarBehind = 0.3;   // of what the known pair explains of the fitted samples
 constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.
@@ -49,9 +49,9 @@ std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, 
   return nearest;
 }
 
-/// Those that come nearest once they were fitted roughly, unless they are so far behind the best pair that no fit to
-/// the end helps, which takes as long as that of the best pair.
-std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& best, std::vector<Candidate> others,
+/// Those that come nearest once they were fitted roughly, unless they are so far behind the known pair that no fit to
+/// the end helps, which takes as long as that of the known pair.
+std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& known, std::vector<Candidate> others,
                                       const core::Progress& progress) {
   std::vector<std::pair<double, std::size_t>> order(others.size());
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
@@ -60,9 +60,9 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& best,
     order[i] = {quick.leftOfFitted(other.hypothesis, other.values), i};
   });
   std::sort(order.begin(), order.end());
-  const double of_best = quick.leftOfFitted(best.hypothesis, best.values);
+  const double of_known = quick.leftOfFitted(known.hypothesis, known.values);
   const double of_none = discrepancyOf(quick.replay, quick.replay.baseline(), quick.split.fitted);
-  const double most = of_best + kTooFarBehind * std::max(0.0, of_none - of_best);
+  const double most = of_known + kTooFarBehind * std::max(0.0, of_none - of_known);
   std::vector<Candidate> nearest;
   for (std::size_t i = 0; i < std::min(kFittedWell, order.size()) && order[i].first <= most; ++i)
     nearest.push_back(others[order[i].second]);
@@ -71,17 +71,17 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& best,
 
 }  // namespace
 
-void exchangeMembers(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
-                     const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
-                     const core::Progress& progress) {
-  const std::vector<Candidate> members = membersOf(pairs.front());
+void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                       const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
+                       const core::Progress& progress) {
+  const std::vector<Candidate> members = membersOf(pair);
   const std::vector<Candidate> known = alsoInTheirSectors(members, singles);
   std::vector<Candidate> others;
   for (const std::size_t kept : {0U, 1U}) {
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
       others.push_back(std::move(other));
   }
-  others = nearestRoughly(quick, pairs.front(), std::move(others), progress);
+  others = nearestRoughly(quick, pair, std::move(others), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i];
     other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);

@@ -27,7 +27,7 @@ std::vector<double> ranges(double step_m, double rounding_m = kRounding_m) {
 // The smallest distance of two would be 0.010 m, which puts a range of 24 m onto the 400th multiple beside it.
 TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
   const auto comb = gap::combOf(ranges(0.0117), kRounding_m);
-  ASSERT_TRUE(comb);
+  ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.0117, comb->uncertain);
   EXPECT_LT(comb->uncertain, 5e-6);
 }
@@ -35,7 +35,7 @@ TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
 // Multiples of 0.0419 m in steps of 0.02 m: 0.04, 0.08, 0.12, 0.16 or 0.18, ...
 TEST(RangeComb, TellsAStepThatTheProfilesOwnStepsBlur) {
   const auto comb = gap::combOf(ranges(0.0419, 0.01), 0.01);
-  ASSERT_TRUE(comb);
+  ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.0419, comb->uncertain);
 }
 
@@ -45,7 +45,7 @@ TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
   for (const int first : {178, 229, 271, 366, 455, 556, 650, 811})
     for (int step = 0; step < 3; ++step) values.push_back(rounded(0.0482 * (first + step), 0.02));
   const auto comb = gap::combOf(values, 0.01);
-  ASSERT_TRUE(comb);
+  ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.0482, 2.0 * comb->uncertain);
 }
 
@@ -55,7 +55,7 @@ TEST(RangeComb, KnowsTheStepAsWellAsTheFarthestValueTellsIt) {
   for (const int first : {25, 30, 39, 47, 54, 70, 84, 103, 130, 153, 176, 218})
     for (int step = 0; step < 2; ++step) values.push_back(rounded(0.268 * (first + step), 0.005));
   const auto comb = gap::combOf(values, 0.0025);
-  ASSERT_TRUE(comb);
+  ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.268, comb->uncertain);
   EXPECT_LE(comb->uncertain, 0.0025 / 218.0);
 }
@@ -73,6 +73,17 @@ TEST(RangeComb, SeesNoneInFewValuesThatHappenToLieApart) {
   EXPECT_FALSE(gap::combOf({3.0, 3.1, 3.2, 3.3}, kRounding_m));
   EXPECT_FALSE(
       gap::combOf({3.004, 3.116, 3.25, 3.402, 3.506, 3.632, 3.78, 3.894, 4.038, 4.152, 4.3, 4.426}, kRounding_m));
+}
+
+// Nine walls that a counter of 0.771 m tells in steps of 0.0375 m: seven others in a thousand lie as well on some comb.
+TEST(RangeComb, SuggestsAStepWhereTheValuesAreTooFewToShowIt) {
+  std::vector<double> values;
+  for (const int steps : {7, 8, 10, 12, 15, 20, 27, 34, 46}) values.push_back(rounded(0.771 * steps, 0.0375));
+  const auto comb = gap::combOf(values, 0.01875);
+  ASSERT_TRUE(comb);
+  EXPECT_FALSE(comb->shown());
+  EXPECT_NEAR(comb->step, 0.771, comb->uncertain);
+  EXPECT_LT(comb->uncertain, 0.001);
 }
 
 TEST(RangeComb, SeesNoneInNothing) { EXPECT_FALSE(gap::combOf({}, kRounding_m)); }

@@ -33,7 +33,8 @@ std::vector<gap::Candidate> exchanged(const SmallWorld::Effects& truth, const st
   }
   std::vector<gap::Candidate> pairs{gap::pairOf(singles[0], singles[1])};
   judge.hear(pairs.front());
-  gap::exchangeMembers(judge, judge, gaps, singles, pairs, core::SilentProgress());
+  const gap::Candidate first = pairs.front();
+  gap::exchangeMembersOf(first, judge, judge, gaps, singles, pairs, core::SilentProgress());
   return pairs;
 }
 

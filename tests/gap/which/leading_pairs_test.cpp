@@ -59,6 +59,12 @@ TEST_F(LeadingPairs, APairTakesTheBetterValuesThatItsMembersHaveAlone) {
   EXPECT_EQ(pairs.front().values, gap::pairOf(offset_, dirt_).values);
 }
 
+TEST_F(LeadingPairs, ThePairThatIsNearestToTheFittedSamplesNeedNotLead) {
+  const gap::Candidate wrong = gap::pairOf(offset_, drift_), right = gap::pairOf(offset_, dirt_);
+  for (const auto& pairs : {std::vector{wrong, right}, std::vector{right, wrong}})
+    EXPECT_EQ(gap::nearestToTheFitted(judge_, pairs).hypothesis.name, right.hypothesis.name);
+}
+
 TEST_F(LeadingPairs, FormsOfOneCauseAreNoPair) {
   std::vector<gap::Candidate> pairs;
   gap::joinLeaders(judge_, {offset_, with("range-offset", {0.05})}, pairs, core::SilentProgress());
