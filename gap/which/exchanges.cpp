@@ -15,9 +15,9 @@ namespace gap {
 
 namespace {
 
-constexpr std::size_t kOfEachMember = 3;
+constexpr std::size_t kOfEachMember = 5;
 constexpr double kTooFarBehind = 0.3;   // of what the known pair explains of the fitted samples
-constexpr std::size_t kFittedWell = 4;  // of all that were fitted roughly
+constexpr std::size_t kFittedWell = 12;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.
 std::vector<Candidate> alsoInTheirSectors(const std::vector<Candidate>& members,

@@ -16,7 +16,7 @@ constexpr double kDisputed = 1.0;    // the same, at most, of what the held-out 
 constexpr double kFarBehind = 0.15;  // in merit: no rival, however alike in single cells
 constexpr double kTie = 0.03;        // of what there is to explain: causes this close cannot be told apart
 constexpr std::size_t kRivals = 5;
-constexpr std::size_t kPairsLookedAt = 3;  // beside the best: the others were not fitted as well
+constexpr std::size_t kPairsLookedAt = 5;  // beside the best: the others were not fitted as well
 
 /// In how many forms this cause may be at work.
 std::size_t formsOf(const Hypothesis& hypothesis) {
