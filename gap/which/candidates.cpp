@@ -5,11 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "core/parallel.h"
 #include "gap/causes/starts.h"
 #include "gap/far/how_far.h"
 #include "gap/replay/statistics.h"
+#include "gap/which/valleys.h"
 
 namespace gap {
 
@@ -113,23 +115,28 @@ std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, s
   return values;
 }
 
-/// The better of two searches: around the values that few beams led to, and around what the residual map suggests (a
-/// sector may have ended between two of the few).
+/// The best of three searches: around the values that few beams led to, around what the residual map suggests (a sector
+/// may have ended between two of the few), and in the valley that two numbers make.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
-                              const core::Progress& progress) {
+                              const Valleys* valleys, const core::Progress& progress) {
   const Evidence& evidence = judge.split.refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
     return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
   };
   std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
   if (!candidate.hypothesis.members.empty()) return refined;
-  const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
-  std::vector<double> suggested =
-      nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
-  if (!suggested.empty()) {
-    suggested = refine(judge.replay, candidate.hypothesis, evidence, suggested, progress);
-    if (distance(suggested, evidence) < distance(refined, evidence)) refined = std::move(suggested);
+  const auto refineFrom = [&](const std::vector<double>& start) {
+    std::vector<double> other = refine(judge.replay, candidate.hypothesis, evidence, start, progress);
+    if (distance(other, evidence) < distance(refined, evidence)) refined = std::move(other);
+  };
+  if (valleys != nullptr) {
+    const std::vector<double> lowest = valleys->lowestFrom({candidate.hypothesis, refined}, progress);
+    if (distance(lowest, evidence) < distance(refined, evidence) - Judge::kNatsPerNumber) refineFrom(lowest);
   }
+  const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
+  const std::vector<double> suggested =
+      nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
+  if (!suggested.empty()) refineFrom(suggested);
   return simplest(judge, candidate.hypothesis, std::move(refined));
 }
 
@@ -275,10 +282,11 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
   const auto leads = [&](std::size_t c) {
     return c < most && candidates[c].merit >= candidates.front().merit - kNearlyAsGood;
   };
+  std::optional<Valleys> valleys;
   const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
     core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
       Candidate& candidate = candidates[from + c];
-      if (refined) candidate.values = refinedOf(judge, candidate, where, progress);
+      if (refined) candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, progress);
       candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
       judge.hear(candidate);
     });
@@ -293,6 +301,8 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
   const bool pairs = !candidates.front().hypothesis.members.empty();
   std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
   while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kRival) ++refined;
+  const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(refined);
+  if (!pairs && std::any_of(candidates.begin(), end, Valleys::mayHelp)) valleys.emplace(judge);
   lookAt(0, refined, true);
   // What was not looked at closely is no better than what was.
   const double of_last = candidates[leaders - 1].merit;

@@ -1,0 +1,67 @@
+#include "gap/which/valleys.h"
+
+#include <algorithm>
+
+#include "gap/causes/search.h"
+#include "gap/which/signature_fit.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kBeams = 120;  // a sample
+constexpr int kFrames = 8;
+constexpr double kMostErrors = 1e6;                      // of a shift: all of them count
+constexpr double kStep = 1e-3;                           // of a number's range
+constexpr int kWalks = 4;                                // on, from the lowest place, while that leads on
+constexpr double kPlaces[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // of a number's range
+
+Evidence atFewFrames(Evidence evidence) {
+  evidence.most_frames = std::min(evidence.most_frames, kFrames);
+  return evidence;
+}
+
+}  // namespace
+
+Valleys::Valleys(const Judge& judge)
+    : few_(judge.replay.thinner(kBeams)),
+      evidence_(atFewFrames(judge.split.refined)),
+      space_(few_, evidence_.samples, evidence_.most_frames, evidence_.seed, kMostErrors) {}
+
+bool Valleys::mayHelp(const Candidate& candidate) {
+  const auto& numbers = candidate.hypothesis.parameters;
+  return numbers.size() > 1 && !candidate.hypothesis.per_setup &&
+         std::none_of(numbers.begin(), numbers.end(), [](const FreeParameter& p) { return p.azimuth || p.whole; });
+}
+
+std::vector<double> Valleys::lowestFrom(const Candidate& candidate, const core::Progress& progress) const {
+  const Hypothesis& hypothesis = candidate.hypothesis;
+  const Objective objective(few_, hypothesis, evidence_, progress);
+  std::vector<double> lowest = candidate.values;
+  const std::vector<double> unit = objective.unitOf(lowest);
+  if (!mayHelp(candidate) || objective.tracesAnew(unit)) return lowest;
+  const auto leftAt = [&](const std::vector<double>& values) {
+    return shiftsLeftBy(space_, worldOf(few_, hypothesis, values));
+  };
+  double least = leftAt(lowest);
+  const auto walkFrom = [&](const std::vector<double>& start) {
+    std::vector<double> fitted = signatureFitFrom(few_, space_, hypothesis, start, progress, kStep);
+    const double left = leftAt(fitted), gained = least - left;
+    if (gained <= 0.0) return 0.0;
+    least = left;
+    lowest = std::move(fitted);
+    return gained;
+  };
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    for (const double place : kPlaces) {
+      std::vector<double> from = unit;
+      from[i] = place;
+      walkFrom(objective.valuesAt(from));
+    }
+  }
+  int walks = 0;
+  while (walks < kWalks && walkFrom(lowest) > Judge::kNatsPerNumber) ++walks;
+  return lowest;
+}
+
+}  // namespace gap
