@@ -16,7 +16,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 5;
-constexpr double kTooFarBehind = 0.3;   // of what the known pair explains of the fitted samples
+constexpr double kTooFarBehind = 0.3;    // of what the exchanged member brings to the fitted samples
 constexpr std::size_t kFittedWell = 12;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.
@@ -49,23 +49,27 @@ std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, 
   return nearest;
 }
 
+/// A pair with a member exchanged, and what it may leave of the fitted samples to be fitted to the end.
+struct Exchanged {
+  Candidate pair;
+  double most_left;
+};
+
 /// Those that come nearest once they were fitted roughly, unless they are so far behind the known pair that no fit to
 /// the end helps, which takes as long as that of the known pair.
-std::vector<Candidate> nearestRoughly(const Judge& quick, const Candidate& known, std::vector<Candidate> others,
+std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Exchanged> others,
                                       const core::Progress& progress) {
   std::vector<std::pair<double, std::size_t>> order(others.size());
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
-    Candidate& other = others[i];
+    Candidate& other = others[i].pair;
     other.values = roughFitFrom(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
     order[i] = {quick.leftOfFitted(other.hypothesis, other.values), i};
   });
+  std::erase_if(order, [&](const auto& one) { return one.first > others[one.second].most_left; });
   std::sort(order.begin(), order.end());
-  const double of_known = quick.leftOfFitted(known.hypothesis, known.values);
-  const double of_none = discrepancyOf(quick.replay, quick.replay.baseline(), quick.split.fitted);
-  const double most = of_known + kTooFarBehind * std::max(0.0, of_none - of_known);
   std::vector<Candidate> nearest;
-  for (std::size_t i = 0; i < std::min(kFittedWell, order.size()) && order[i].first <= most; ++i)
-    nearest.push_back(others[order[i].second]);
+  for (std::size_t i = 0; i < std::min(kFittedWell, order.size()); ++i)
+    nearest.push_back(std::move(others[order[i].second].pair));
   return nearest;
 }
 
@@ -76,12 +80,15 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
                        const core::Progress& progress) {
   const std::vector<Candidate> members = membersOf(pair);
   const std::vector<Candidate> known = alsoInTheirSectors(members, singles);
-  std::vector<Candidate> others;
+  const double of_pair = quick.leftOfFitted(pair.hypothesis, pair.values);
+  std::vector<Exchanged> exchanged;
   for (const std::size_t kept : {0U, 1U}) {
+    const double alone = quick.leftOfFitted(members[kept].hypothesis, members[kept].values);
+    const double most_left = of_pair + kTooFarBehind * std::max(0.0, alone - of_pair);
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
-      others.push_back(std::move(other));
+      exchanged.push_back({std::move(other), most_left});
   }
-  others = nearestRoughly(quick, pair, std::move(others), progress);
+  std::vector<Candidate> others = nearestRoughly(quick, std::move(exchanged), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i];
     other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);

@@ -10,22 +10,18 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kBeams = 120;  // a sample
-constexpr int kFrames = 8;
+constexpr std::size_t kSamples = 4;
+constexpr int kFrames = 4;
 constexpr double kMostErrors = 1e6;                      // of a shift: all of them count
 constexpr double kStep = 1e-3;                           // of a number's range
 constexpr int kWalks = 4;                                // on, from the lowest place, while that leads on
 constexpr double kPlaces[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // of a number's range
 
-Evidence atFewFrames(Evidence evidence) {
-  evidence.most_frames = std::min(evidence.most_frames, kFrames);
-  return evidence;
-}
-
 }  // namespace
 
 Valleys::Valleys(const Judge& judge)
     : few_(judge.replay.thinner(kBeams)),
-      evidence_(atFewFrames(judge.split.refined)),
+      evidence_(spreadOver(judge.split.refined, kSamples, kFrames)),
       space_(few_, evidence_.samples, evidence_.most_frames, evidence_.seed, kMostErrors) {}
 
 bool Valleys::mayHelp(const Candidate& candidate) {
