@@ -199,8 +199,8 @@ class Effect {
   virtual void couple(std::span<const Beam>, const ChainSettings&, std::vector<std::vector<Pulse>>&) const {}
 
   // --- one shot: a beam in a frame
-  /// Disturbs the pulses of shots at random: what it does so with in one frame, drawn once for all of its beams. `key`
-  /// is that of a stream of the effect's own that belongs to the frame.
+  /// Disturbs the pulses of shots at random. What it does to those of one frame; `key` is that of a stream of its own
+  /// for what all beams of the frame share. Not null where it disturbs.
   [[nodiscard]] virtual bool disturbs() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<const Disturbance> inFrame(const Scene&, const ChainSettings&,
                                                                    const core::Random::Key& /*key*/) const {

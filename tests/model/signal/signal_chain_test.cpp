@@ -279,6 +279,23 @@ TEST(SignalChain, DirectionsAreTheBeamsCentres) {
   EXPECT_NEAR(detections.range_m[1], 20 / std::cos(5 * M_PI / 180) / std::cos(1.5 * M_PI / 180), 1e-5);
 }
 
+// The middle one of three beams meets both boards: it is fired apart from the others, which have one pulse each.
+TEST(SignalChain, DetectionsComeFrameByFrameAndBeamByBeam) {
+  Case setup = twoBoards(10, 15);
+  setup.sensor["scan"]["layers"][0]["azimuth_deg"] = {{"from", 2}, {"to", -2}, {"step", 2}};
+  setup.frames = 2;
+  const auto detections = fire(setup);
+  EXPECT_EQ(detections.frame, (std::vector<std::int32_t>{0, 0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(detections.echo, (std::vector<std::int32_t>{1, 1, 2, 1, 1, 1, 2, 1}));
+  const double two_deg = 2.0 * M_PI / 180.0;
+  for (const std::size_t first : {0U, 4U}) {
+    EXPECT_NEAR(detections.azimuth_rad[first], two_deg, 1e-9);
+    EXPECT_NEAR(detections.azimuth_rad[first + 1], 0.0, 1e-9);
+    EXPECT_NEAR(detections.azimuth_rad[first + 2], 0.0, 1e-9);
+    EXPECT_NEAR(detections.azimuth_rad[first + 3], -two_deg, 1e-9);
+  }
+}
+
 TEST(SignalChain, OnlyTheListedOutputsAreThere) {
   Case setup = wallAt(20);
   setup.sensor["detection"]["output"] = {"range", "intensity"};
