@@ -247,8 +247,8 @@ std::vector<double> Objective::firstSteps(double step) const {
   return steps;
 }
 
-bool Objective::smooth() const {
-  return std::none_of(hypothesis_.parameters.begin(), hypothesis_.parameters.end(),
+bool smooth(const Hypothesis& hypothesis) {
+  return std::none_of(hypothesis.parameters.begin(), hypothesis.parameters.end(),
                       [](const FreeParameter& p) { return p.azimuth || p.whole; });
 }
 

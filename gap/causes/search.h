@@ -10,6 +10,9 @@
 
 namespace gap {
 
+/// Whether small steps of its numbers change little: the ends of sectors and counts jump.
+[[nodiscard]] bool smooth(const Hypothesis& hypothesis);
+
 /// What a search makes small: the discrepancy of a hypothesis on some evidence, over the unit cube of its free numbers.
 /// Refers to all its arguments but the evidence.
 class Objective {
@@ -24,8 +27,7 @@ class Objective {
   /// In the unit cube, of edges in place of middles and widths. Ends of a sector are searched within a few degrees of
   /// their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
-  /// Whether small steps change little: the ends of sectors and counts jump.
-  [[nodiscard]] bool smooth() const;
+  [[nodiscard]] bool smooth() const { return gap::smooth(hypothesis_); }
   /// Whether other numbers send the rays other ways: then every look takes long.
   [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const;
   [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }

@@ -169,6 +169,14 @@ double Judge::accountedFor(const Candidate& candidate) const {
 
 void sortByMerit(std::vector<Candidate>& candidates) { std::stable_sort(candidates.begin(), candidates.end(), better); }
 
+const Candidate& nearestToFitted(const Judge& judge, std::span<const Candidate> candidates) {
+  std::vector<double> left(candidates.size());
+  core::parallelFor(left.size(), 1, [&](std::size_t i, std::size_t) {
+    left[i] = judge.leftOfFitted(candidates[i].hypothesis, candidates[i].values);
+  });
+  return candidates[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
+}
+
 std::size_t placeOfForm(const std::vector<Candidate>& candidates, const Candidate& other) {
   const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& one) {
     return formOf(one.hypothesis) == formOf(other.hypothesis);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/progress.h"
@@ -92,6 +93,10 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
 [[nodiscard]] inline bool better(const Candidate& a, const Candidate& b) { return a.merit > b.merit; }
 /// Best merit first.
 void sortByMerit(std::vector<Candidate>& candidates);
+
+/// Of some candidates the one that brings the samples nearest that are fitted: where a cause acts there may be hardly
+/// any that is held out. There is one at least.
+[[nodiscard]] const Candidate& nearestToFitted(const Judge& judge, std::span<const Candidate> candidates);
 
 /// Where the candidate of the same form as another one stands, with whatever values; behind the last if there is none.
 [[nodiscard]] std::size_t placeOfForm(const std::vector<Candidate>& candidates, const Candidate& other);

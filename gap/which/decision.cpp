@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <span>
 
 #include "core/parallel.h"
 #include "gap/which/closer_look.h"
@@ -218,7 +219,7 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
 void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                   const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                   const core::Progress& progress) {
-  const Candidate nearest = nearestToTheFitted(quick, pairs);
+  const Candidate nearest = nearestToFitted(quick, std::span(pairs).first(std::min(kLeaders, pairs.size())));
   if (!samePair(nearest, pairs.front())) exchangeMembersOf(nearest, quick, exact, gaps, singles, pairs, progress);
   for (int round = 0; round < kRoundsOfExchanges; ++round) {
     const Candidate led = pairs.front();

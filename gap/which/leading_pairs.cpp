@@ -37,12 +37,4 @@ void joinLeaders(const Judge& exact, const std::vector<Candidate>& singles, std:
   sortByMerit(pairs);
 }
 
-Candidate nearestToTheFitted(const Judge& judge, const std::vector<Candidate>& pairs) {
-  std::vector<double> left(std::min(kLeaders, pairs.size()));
-  core::parallelFor(left.size(), 1, [&](std::size_t i, std::size_t) {
-    left[i] = judge.leftOfFitted(pairs[i].hypothesis, pairs[i].values);
-  });
-  return pairs[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
-}
-
 }  // namespace gap

@@ -18,8 +18,4 @@ void takePair(Candidate pair, std::vector<Candidate>& pairs);
 void joinLeaders(const Judge& exact, const std::vector<Candidate>& singles, std::vector<Candidate>& pairs,
                  const core::Progress& progress);
 
-/// Of the leading pairs the one that brings the samples nearest that are fitted: where one of its causes acts there may
-/// be hardly any that is held out. `pairs` are not empty, best merit first.
-[[nodiscard]] Candidate nearestToTheFitted(const Judge& judge, const std::vector<Candidate>& pairs);
-
 }  // namespace gap

@@ -45,13 +45,6 @@ bool holdsDetections(const Replay& replay, const Evidence& evidence) {
                      [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
 }
 
-/// What brings the fitted samples nearest: a recalibration that hides a cause does, wherever the cause acts.
-const Candidate& nearestToFitted(const Judge& quick, const std::vector<Candidate>& singles) {
-  std::vector<double> left;
-  for (const Candidate& single : singles) left.push_back(quick.leftOfFitted(single.hypothesis, single.values));
-  return singles[static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin())];
-}
-
 bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& decision) {
   if (judge.split.weak || decision.singles.empty() || decision.pair()) return false;
   if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
@@ -63,6 +56,7 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   const PartDeviations left = leftBy(decision.singles.front());
   if (left.inOnePartOnly()) return true;
   if (decision.winner) return false;
+  // What brings the fitted samples nearest may be a recalibration that hides a cause, wherever the cause acts.
   return left.mostlyInOnePart() || leftBy(nearestToFitted(quick, decision.singles)).inOnePartOnly();
 }
 

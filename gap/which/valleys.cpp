@@ -1,7 +1,5 @@
 #include "gap/which/valleys.h"
 
-#include <algorithm>
-
 #include "gap/causes/search.h"
 #include "gap/which/signature_fit.h"
 
@@ -25,9 +23,8 @@ Valleys::Valleys(const Judge& judge)
       space_(few_, evidence_.samples, evidence_.most_frames, evidence_.seed, kMostErrors) {}
 
 bool Valleys::mayHelp(const Candidate& candidate) {
-  const auto& numbers = candidate.hypothesis.parameters;
-  return numbers.size() > 1 && !candidate.hypothesis.per_setup &&
-         std::none_of(numbers.begin(), numbers.end(), [](const FreeParameter& p) { return p.azimuth || p.whole; });
+  const Hypothesis& hypothesis = candidate.hypothesis;
+  return hypothesis.parameters.size() > 1 && !hypothesis.per_setup && smooth(hypothesis);
 }
 
 std::vector<double> Valleys::lowestFrom(const Candidate& candidate, const core::Progress& progress) const {

@@ -62,7 +62,7 @@ TEST_F(LeadingPairs, APairTakesTheBetterValuesThatItsMembersHaveAlone) {
 TEST_F(LeadingPairs, ThePairThatIsNearestToTheFittedSamplesNeedNotLead) {
   const gap::Candidate wrong = gap::pairOf(offset_, drift_), right = gap::pairOf(offset_, dirt_);
   for (const auto& pairs : {std::vector{wrong, right}, std::vector{right, wrong}})
-    EXPECT_EQ(gap::nearestToTheFitted(judge_, pairs).hypothesis.name, right.hypothesis.name);
+    EXPECT_EQ(gap::nearestToFitted(judge_, pairs).hypothesis.name, right.hypothesis.name);
 }
 
 TEST_F(LeadingPairs, FormsOfOneCauseAreNoPair) {
