@@ -146,7 +146,7 @@ def judge(case, result):
                confidence=confidence, where=where, stratum=stratum,
                standing=in_standing_measurand(truth, report), errors=recovery(truth, report) if right else [],
                both=set(truth["names"]) <= set(verdict.get("names", [])), exact=set(truth["names"]) == set(verdict.get("names", [])),
-               claimed=claimed.get("fraction"), interval=claimed.get("interval"), text=verdict.get("text", ""))
+               claimed=claimed.get("fraction"), interval=claimed.get("interval"), text=verdict.get("text", ""), evidence=verdict.get("evidence", {}))
     actual = result.get("actual") or {}
     if "shrink" in actual:
         row["actual"] = actual["shrink"]

@@ -20,7 +20,7 @@ double beliefIn(const Yardstick& yardstick, double accounted_for, CauseKind kind
   };
   Curve curve{0.65, 0.1};
   if (yardstick.z() < Yardstick::kClear_z) curve = {0.77, 0.15};  // of a small gap chance explains a share, too
-  if (kind == CauseKind::kReference) curve = {0.4, 0.1};
+  if (kind == CauseKind::kReference) curve = {0.3, 0.1};
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }
 

@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench" / "withheld
 import ablation
 import baselines
 import build
+import calibration
 import cases
 import chance
 import distance
@@ -384,6 +385,15 @@ class Sets(unittest.TestCase):
 
     def test_without_sets_the_page_says_nothing_of_them(self):
         self.assertEqual(report.sets_page([]), "")
+
+
+class Calibration(unittest.TestCase):
+    def test_verdicts_are_counted_by_what_they_said_and_how_far_they_were_believed(self):
+        told = lambda confidence, right, *ties: {"kind": "effect", "found": ["speckle"], "confidence": confidence, "right": right, "equivalents": [*ties]}
+        low, high = chance.wilson(1, 2)
+        self.assertEqual(list(calibration.lines([told(0.92, True), told(0.94, False), told(0.92, True, "blooming")])), [
+            f"| one effect | 0.93 | 1 of 2 | 0.50 [{low:.2f}, {high:.2f}] |",
+            f"| one effect, tied with one | 0.92 | 1 of 1 | 1.00 [{chance.wilson(1, 1)[0]:.2f}, 1.00] |"])
 
 
 class EndToEnd(unittest.TestCase):
