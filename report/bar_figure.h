@@ -19,6 +19,7 @@ struct BarFigure {
     double value;
     std::optional<Range> interval;
     bool emphasised = false;  ///< drawn in the strong colour: what the text speaks about
+    std::string label = {};   ///< at the right end of the row; empty: the value
   };
   std::string title;
   std::string value_name;      ///< with unit

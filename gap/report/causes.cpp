@@ -63,7 +63,7 @@ void addChart(report::Page& page, const Diagnosis& diagnosis) {
     const Cause& cause = diagnosis.causes[i];
     report::BarFigure::Bar bar{letterOf(i) + "  " + causeTitle(diagnosis, cause.name), 100.0 * cause.shrink.fraction,
                                report::Range{100.0 * cause.shrink.interval.low, 100.0 * cause.shrink.interval.high},
-                               isNamed(diagnosis, cause)};
+                               isNamed(diagnosis, cause), shrinkOf(cause.shrink.fraction)};
     least = std::min({least, bar.value, bar.interval->low});
     bars.bars.push_back(std::move(bar));
   }
@@ -88,7 +88,7 @@ void addTable(report::Page& page, const Diagnosis& diagnosis) {
             report::text(cause.sensors.empty() ? "" : "; sensor " + core::join(cause.sensors) + " only") +
             report::rawHtml("</small>");
     rows.push_back({name, numbersOf(cause), report::shareBar(std::max(0.0, cause.explained)),
-                    report::text(percent(cause.shrink.fraction)),
+                    report::text(shrinkOf(cause.shrink.fraction)),
                     report::text(cause.confidence < 0.005 ? "< 1 %" : percent(cause.confidence))});
   }
   page.table({{"cause", Align::Left, true},

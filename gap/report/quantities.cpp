@@ -45,4 +45,8 @@ std::string intervalText(const Interval& interval, const std::string& unit, doub
 
 std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }
 
+std::string shrinkOf(double fraction) {
+  return fraction < -1.0 ? fmt::format("grows {:.0f}×", 1.0 - fraction) : percent(fraction);
+}
+
 }  // namespace gap

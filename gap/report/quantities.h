@@ -16,5 +16,7 @@ namespace gap {
 
 /// "62 %".
 [[nodiscard]] std::string percent(double fraction);
+/// Of a gap that shrinks by so much of itself: "62 %", "-30 %", and what makes it more than twice as large "grows 4×".
+[[nodiscard]] std::string shrinkOf(double fraction);
 
 }  // namespace gap

@@ -49,6 +49,14 @@ TEST(BarFigure, DrawsBarsIntervalsAndNumbersInTheGivenOrder) {
   EXPECT_THAT(svg, HasSubstr(">0.93<"));
 }
 
+TEST(BarFigure, WritesALabelInPlaceOfTheNumberWhereThereIsOne) {
+  BarFigure bars{.title = "Causes"};
+  bars.bars = {{.name = "cloud", .value = -12417.0, .interval = std::nullopt, .label = "grows 125×"}};
+  const std::string svg = barFigure(bars);
+  EXPECT_THAT(svg, HasSubstr(">grows 125×<"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr(">-12417<")));
+}
+
 TEST(BarFigure, SurvivesNoBarsAndNumbersThatAreNone) {
   report_test::expectSvgTiny(barFigure({.title = "none"}));
   BarFigure bars{.title = "Causes"};

@@ -27,5 +27,12 @@ TEST(Quantities, OneEchoIsNotSeveral) {
   EXPECT_EQ(withUnit(0.5, "1/shot"), "0.5 echoes per shot");
 }
 
+TEST(Quantities, AGapThatGrowsManyTimesIsSaidToGrow) {
+  EXPECT_EQ(shrinkOf(0.62), "62 %");
+  EXPECT_EQ(shrinkOf(-0.3), "-30 %");
+  EXPECT_EQ(shrinkOf(-3.0), "grows 4×");
+  EXPECT_EQ(shrinkOf(-124.17), "grows 125×");
+}
+
 }  // namespace
 }  // namespace gap
