@@ -247,20 +247,22 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   if (room) joinLeaders(exact, decision.singles, pairs, progress);
   polish(exact, gaps, pairs, where, progress);
   chooseLeader(quick, exact, gaps, decision.singles, pairs, progress);
-  takeTheLead(betterMember(exact, gaps, pairs.front()), decision.singles);
+  const std::span heard = std::span(pairs).first(std::min(kPairsHeard, pairs.size()));
+  for (const Candidate& pair : heard) takeTheLead(betterMember(exact, gaps, pair), decision.singles);
   const Candidate& best = decision.singles.front();
   const bool still_first = formOf(best.hypothesis) == formOf(first.hypothesis) && best.values == first.values;
   const double left_by_best = still_first ? left_by_first : restOf(exact, best);
   SecondProofs proofs(exact, best, decision.singles.size());
   const auto earns = [&](const Candidate& pair) {
-    if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || pair.total_left > kMostRestOfPair) return false;
+    if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || restOfWholeGap(gaps, pair) > kMostRestOfPair)
+      return false;
     return (room && earnsItsSecond(quick, exact, best, left_by_best, pair)) || proofs.of(pair);
   };
   // What comes nearest may only scatter as the rest of the first cause does, and leave what another one takes.
-  const auto last = pairs.begin() + static_cast<std::ptrdiff_t>(std::min(kPairsHeard, pairs.size()));
-  const auto earning = std::find_if(pairs.begin(), last, earns);
-  if (earning == last) return false;
-  std::rotate(pairs.begin(), earning, earning + 1);
+  const auto earning = std::find_if(heard.begin(), heard.end(), earns);
+  if (earning == heard.end()) return false;
+  std::rotate(heard.begin(), earning, earning + 1);
+  leadByEffects(quick, exact, pairs);
   nameFirstOf(pairs, quick, exact, decision);
   return true;
 }

@@ -24,7 +24,8 @@ constexpr std::size_t kGlancesKept = 60;    // of every two effects, seen in one
 constexpr std::size_t kPartnersTried = 12;  // nearest partners of a cause, alone,
 constexpr std::size_t kPartnersFitted = 4;  // and then the nearest together with it
 constexpr std::size_t kPartnersOfAll = 2;   // and nearest to all data that are fitted
-constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide
+constexpr std::size_t kHiddenFitted = 8;    // effects that a recalibration may hide,
+constexpr std::size_t kHiddenInMeans = 4;   // and such that few outlying cells hide as well
 constexpr double kMostErrors = 100.0;       // of a shift
 
 /// Of what is recorded of a parameter; between two of them shifts are interpolated.
@@ -36,6 +37,16 @@ template <typename Shifts>
 auto near(const Eigen::MatrixBase<Shifts>& shifts) {
   constexpr auto kFar = static_cast<float>(SignatureSpace::kFar);
   return shifts.derived().cwiseMax(-kFar).cwiseMin(kFar);
+}
+
+double squaredDistance(const Eigen::VectorXf& shifts) { return near(shifts).squaredNorm(); }
+
+/// How far shifts are from none, as a Cauchy distribution sees it (Holland, Welsch 1977, Robust regression using
+/// iteratively reweighted least-squares, Communications in Statistics A6, 813-827: 2.385 errors). A few cells with one
+/// echo or none differ by ten errors by chance: squared, they hide what a thousand others say.
+double robustDistance(const Eigen::VectorXf& shifts) {
+  constexpr float kScale = 2.385F;
+  return static_cast<double>((1.0F + (shifts.array() / kScale).square()).log().sum());
 }
 
 Eigen::VectorXf columnOf(const Signature& signature) {
@@ -245,23 +256,32 @@ std::vector<Guess> PairGuesses::besideRecalibration() const {
   std::vector<std::size_t> parameters;
   for (std::size_t i = 0; i < singles_.size(); ++i)
     if (singles_[i].hypothesis.kind == CauseKind::kParameter) parameters.push_back(i);
-  std::vector<std::vector<Guess>> beside(parameters.size());
-  core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) { beside[p] = hiddenBy(parameters[p]); });
-  std::vector<Guess> guesses;
-  for (auto& some : beside) append(guesses, std::move(some));
-  return lookedAt(nearestOf(nearestOfEachFirst(std::move(guesses)), kHiddenFitted));
+  std::vector<std::vector<Guess>> squared(parameters.size()), robust(parameters.size());
+  core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) {
+    const std::vector<Step> steps = stepsOf(parameters[p]);
+    squared[p] = hiddenBy(parameters[p], steps, squaredDistance);
+    robust[p] = hiddenBy(parameters[p], steps, robustDistance);
+  });
+  // Spreads are few entries, which say most of what scatters; means of cells are many.
+  std::vector<Guess> guesses, by_means;
+  for (auto& some : squared) append(guesses, std::move(some));
+  guesses = lookedAt(nearestOf(nearestOfEachFirst(std::move(guesses)), kHiddenFitted));
+  for (auto& some : robust) append(by_means, std::move(some));
+  append(guesses, nearestOf(nearestOfEachFirst(lookedAt(std::move(by_means))), kHiddenInMeans));
+  return guesses;
 }
 
 /// Of every effect the place and the value of the parameter whose shifts together come nearest to the measurement.
-std::vector<Guess> PairGuesses::hiddenBy(std::size_t parameter) const {
+std::vector<Guess> PairGuesses::hiddenBy(std::size_t parameter, const std::vector<Step>& steps,
+                                         double (*farness)(const Eigen::VectorXf&)) const {
   const Eigen::VectorXf measured = columnOf(space_.ofMeasurement());
   std::map<std::size_t, Guess> nearest;
-  for (const auto& [value, shifts] : stepsOf(parameter)) {
+  for (const auto& [value, shifts] : steps) {
     core::stopIfCancelled(progress_);
     const Eigen::VectorXf left = measured - shifts;
     for (std::size_t a = 0; a < atoms_.size(); ++a) {
       if (singles_[atoms_[a].single].hypothesis.kind != CauseKind::kEffect) continue;
-      const double distance = near(left - whole_.col(static_cast<Eigen::Index>(a))).squaredNorm();
+      const double distance = farness(left - whole_.col(static_cast<Eigen::Index>(a)));
       const auto [known, added] = nearest.try_emplace(atoms_[a].single);
       if (!added && distance >= known->second.distance) continue;
       known->second = {atoms_[a].single, parameter, joined(atoms_[a].values, {value}), distance};
@@ -274,10 +294,10 @@ std::vector<Guess> PairGuesses::hiddenBy(std::size_t parameter) const {
 
 /// Values of a parameter to both sides of what is recorded, and what they do: some by simulation, those between them
 /// by interpolation.
-std::vector<std::pair<double, Eigen::VectorXf>> PairGuesses::stepsOf(std::size_t parameter) const {
+std::vector<PairGuesses::Step> PairGuesses::stepsOf(std::size_t parameter) const {
   const Hypothesis& hypothesis = singles_[parameter].hypothesis;
   const FreeParameter& p = hypothesis.parameters[0];
-  std::vector<std::pair<double, Eigen::VectorXf>> steps;
+  std::vector<Step> steps;
   for (const bool up : {false, true}) {
     double last = p.start;
     Eigen::VectorXf before = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(space_.size()));
@@ -287,7 +307,7 @@ std::vector<std::pair<double, Eigen::VectorXf>> PairGuesses::stepsOf(std::size_t
       const Eigen::VectorXf shifts = columnOf(space_.of(worldOf(scout_, hypothesis, {value})));
       for (int part = 1; part <= kPartsOfAStep; ++part) {
         const float share = static_cast<float>(part) / kPartsOfAStep;
-        steps.emplace_back(last + static_cast<double>(share) * (value - last), before + share * (shifts - before));
+        steps.push_back({last + static_cast<double>(share) * (value - last), before + share * (shifts - before)});
       }
       last = value;
       before = shifts;

@@ -56,6 +56,12 @@ class PairGuesses {
     std::vector<double> values;
   };
 
+  /// Another value of a parameter, and what it does.
+  struct Step {
+    double value = 0.0;
+    Eigen::VectorXf shifts;
+  };
+
   [[nodiscard]] bool mayPair(std::size_t a, std::size_t b) const;
   void lookAtAtoms();
   [[nodiscard]] std::vector<Atom> suggestedFor(std::size_t single, const WhereResult& where) const;
@@ -65,8 +71,9 @@ class PairGuesses {
                                                    const std::vector<Atom>& atoms) const;
   [[nodiscard]] Guess fitted(const Guess& guess) const;
   [[nodiscard]] std::vector<Guess> withFittedPartners(std::vector<Guess> guesses) const;
-  [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter) const;
-  [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXf>> stepsOf(std::size_t parameter) const;
+  [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter, const std::vector<Step>& steps,
+                                            double (*farness)(const Eigen::VectorXf&)) const;
+  [[nodiscard]] std::vector<Step> stepsOf(std::size_t parameter) const;
   [[nodiscard]] std::vector<Guess> lookedAt(std::vector<Guess> guesses) const;
 
   const Judge& judge_;

@@ -55,7 +55,7 @@ double costOf(const Candidate& candidate, const Candidate& beside) {
 
 /// How well a candidate is told from the best one, with what it takes more to say it.
 double toldApart(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& other, double alike) {
-  const double apart = std::max(0.0, separationOnAll(quick, exact, best, other, alike));
+  const double apart = std::max(0.0, toldFromOnAll(quick, exact, best, other, alike));
   return std::sqrt(apart * apart + costOf(other, best));
 }
 

@@ -76,17 +76,28 @@ bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, con
          restOf(judge, pair) > kNoRest;
 }
 
+/// Whether a pair says less than one cause of many numbers (a cloud has four, fog behind a wrong power two): which of
+/// some sixty causes the second is costs as much as a number does, four nats.
+bool saysLess(const Candidate& pair, const Candidate& single) {
+  return pair.values.size() + 1 < single.values.size() && pair.total_left < single.total_left + kMaterialRest;
+}
+
 /// Whether a pair is nearer to the data than its better member by more than luck: on held-out samples, or on all, where
 /// every number more that was fitted has its price.
 bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, const Candidate& best) {
-  const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
+  double more = static_cast<double>(pair.values.size()) - static_cast<double>(best.values.size());
+  more = saysLess(pair, best) ? more + 1.0 : std::max(0.0, more);
   const double least_on_all =
-      std::sqrt(kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * std::max(0.0, more));
+      std::sqrt(std::max(0.0, kSecondProven * kSecondProven + 2.0 * Judge::kNatsPerNumber * more));
   return separation(exact, pair, best) >= kSecondProven ||
          separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
 }
 
 }  // namespace
+
+double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate) {
+  return gaps.aboveNoise() * candidate.total_left;
+}
 
 bool roomForASecond(const Judge& judge, const Candidate& best, double left_by_best) {
   const LeftOver left = leftBy(best);
@@ -127,7 +138,7 @@ bool SecondProofs::of(const Candidate& pair) {
 bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
                     const Candidate& pair) {
   return isNearer(quick, exact, pair, best) && !explainsWhatAReferenceLeaves(exact, best, pair) &&
-         (earnsByShare(exact, best, pair) || leavesNothing(exact, best, left_by_best, pair) ||
+         (saysLess(pair, best) || earnsByShare(exact, best, pair) || leavesNothing(exact, best, left_by_best, pair) ||
           takesNearlyAll(best, left_by_best, pair));
 }
 

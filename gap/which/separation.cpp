@@ -20,6 +20,8 @@ struct Apart {
   double variance = 0.0;  ///< of it then
 
   [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
+  /// What so many nats are as a z.
+  [[nodiscard]] double ofLikelihoods() const { return std::sqrt(2.0 * std::max(0.0, difference)); }
 };
 
 Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best, const World& rival) {
@@ -32,6 +34,25 @@ Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best,
   const Distribution were_it_right(differences);
   return {of_rival.discrepancy() - of_best.discrepancy(), were_it_right.mean,
           were_it_right.stddev * were_it_right.stddev};
+}
+
+/// See separationOnAll; nothing where the two are alike.
+Apart apartOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival, double alike) {
+  Apart all;
+  bool differ = false;
+  for (const bool held_out : {true, false}) {
+    const Replay& replay = held_out ? exact.replay : quick.replay;
+    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
+    evidence.part.edges = exact.split.held_out.part.edges;
+    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
+    const Apart part = apartOn(replay, evidence, a, b);
+    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
+    differ = differ || part.difference > alike * explained;
+    if (held_out && differ && part.z() > kBeyondDoubt) return part;
+    all.difference += part.difference;
+    all.variance += part.variance;
+  }
+  return differ ? all : Apart{};
 }
 
 }  // namespace
@@ -49,21 +70,13 @@ double separation(const Judge& judge, const Candidate& best, const Candidate& ri
 
 double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
                        double alike) {
-  Apart all;
-  bool differ = false;
-  for (const bool held_out : {true, false}) {
-    const Replay& replay = held_out ? exact.replay : quick.replay;
-    Evidence evidence = held_out ? exact.split.held_out : quick.split.refined;
-    evidence.part.edges = exact.split.held_out.part.edges;
-    const World a = worldOf(replay, best.hypothesis, best.values), b = worldOf(replay, rival.hypothesis, rival.values);
-    const Apart part = apartOn(replay, evidence, a, b);
-    const double explained = discrepancyOf(replay, replay.baseline(), evidence) - discrepancyOf(replay, a, evidence);
-    differ = differ || part.difference > alike * explained;
-    if (held_out && differ && part.z() > kBeyondDoubt) return part.z();
-    all.difference += part.difference;
-    all.variance += part.variance;
-  }
-  return differ ? all.z() : 0.0;
+  return apartOnAll(quick, exact, best, rival, alike).z();
+}
+
+double toldFromOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
+                     double alike) {
+  const Apart apart = apartOnAll(quick, exact, best, rival, alike);
+  return std::min(apart.z(), apart.ofLikelihoods());
 }
 
 }  // namespace gap

@@ -12,6 +12,10 @@ namespace gap {
 /// is farther by no more than the share `alike` of what the first explains, on either part of the samples.
 [[nodiscard]] double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
                                      const Candidate& rival, double alike);
+/// The same, but no more than the difference says as a ratio of likelihoods: of two that are nearly one, and both a
+/// little off, the nearer is nearer by many standard deviations of a fraction of a nat.
+[[nodiscard]] double toldFromOnAll(const Judge& quick, const Judge& exact, const Candidate& best,
+                                   const Candidate& rival, double alike);
 /// What a world would gain over the null on held-out data if it were right, in nats.
 [[nodiscard]] double gainWereItRight(const Judge& judge, const World& null, const World& world);
 

@@ -78,6 +78,51 @@ TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
   EXPECT_LT(member.total_left, 0.1);
 }
 
+TEST_F(MissingOffset, LeavesAsMuchOfAGapAsOfThePartOfItThatIsNoNoise) {
+  gap::Candidate half = candidate("range-offset", 0.015);
+  half.total_left = 0.7;
+  const gap::HeldOutGaps gaps(replay_, split_.held_out.samples, 1);
+  ASSERT_GT(gaps.aboveNoise(), 0.75);
+  EXPECT_GT(gap::restOfWholeGap(gaps, half), gap::kMostRestOfPair);
+  // Of an offset of 2 mm, a fifth of the resolution, most of the gap is noise.
+  const auto measured = world_.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.002}}}}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::HeldOutGaps mostly_noise(replay, split_.held_out.samples, 1);
+  EXPECT_LT(gap::restOfWholeGap(mostly_noise, half), gap::kMostRestOfPair);
+}
+
+// Fog behind a wrong power is two numbers; a cloud that stands in for them is four, and which of sixty causes the
+// second one is costs another.
+TEST(SecondCause, NeedsNoGainBesideACauseThatSaysMoreThanBoth) {
+  const SmallWorld world;
+  const SmallWorld::Effects fog = {{"atmospheric-attenuation", {{"visibility_m", 1500.0}}}};
+  const auto measured = world.measuredBy(SmallWorld::modelWith(fog, {{"/sensor/emitter/peak_power_w", 55.0}}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Split split = gap::splitOf(replay, 1);
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  const auto hypotheses = gap::hypothesesFor(replay, {});
+  const auto candidate = [&](const std::string& name, std::vector<double> values) {
+    gap::Candidate of{.hypothesis = test_support::hypothesisNamed(hypotheses, name), .values = std::move(values)};
+    of.total_left = 0.6;
+    return of;
+  };
+  // A third of the way, so that the pair halves nothing.
+  gap::Candidate pair =
+      gap::pairOf(candidate("atmospheric-attenuation", {4500.0}), candidate("/sensor/emitter/peak_power_w", {51.5}));
+  pair.total_left = 0.6;
+  gap::Candidate cloud = candidate("exhaust-cloud", {0.001, 0.5, 4.0, 0.0});
+  gap::Candidate dirt = candidate("cover-contamination", {0.002, -5.0, 5.0});
+  for (gap::Candidate* heard : {&pair, &cloud, &dirt}) judge.hear(*heard);
+  ASSERT_LT(pair.explained, 0.5);
+  const auto earns = [&](const gap::Candidate& single) {
+    return gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair);
+  };
+  EXPECT_TRUE(earns(cloud)) << pair.explained << " " << cloud.explained;
+  EXPECT_FALSE(earns(dirt)) << pair.explained << " " << dirt.explained;
+  pair.total_left = 0.7;
+  EXPECT_FALSE(earns(cloud)) << "the total gap grows";
+}
+
 /// Speckle of ten looks, whose own noise is larger than all that a haze does.
 class BesideSpeckle : public testing::Test {
  protected:
