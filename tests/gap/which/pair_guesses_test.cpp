@@ -75,11 +75,11 @@ TEST(PairGuesses, HoldACauseThatARecalibrationHides) {
   const GuessedPairs pairs(world, {{"atmospheric-attenuation", {{"visibility_m", 4666.0}}}}, "range-offset",
                            "atmospheric-attenuation",
                            {{"/sensor/receiver/threshold_w", 1.2e-7}, {"/sensor/receiver/noise_w", 4e-8}}, 0.405);
-  const auto guesses = pairs.guesses().besideRecalibration();
-  ASSERT_FALSE(guesses.empty());
-  EXPECT_EQ(pairs.nameOf(guesses.front().first), "atmospheric-attenuation");
-  EXPECT_THAT(pairs.nameOf(guesses.front().second),
-              testing::AnyOf("/sensor/emitter/peak_power_w", "/materials/plaster/reflectivity"));
+  std::vector<std::string> beside_haze;
+  for (const gap::Guess& guess : pairs.guesses().besideRecalibration())
+    if (pairs.nameOf(guess.first) == "atmospheric-attenuation") beside_haze.push_back(pairs.nameOf(guess.second));
+  EXPECT_THAT(beside_haze,
+              testing::Contains(testing::AnyOf("/sensor/emitter/peak_power_w", "/materials/plaster/reflectivity")));
 }
 
 }  // namespace
