@@ -8,6 +8,7 @@
 #include "app/desktop/colours.h"
 #include "app/desktop/html.h"
 #include "core/text.h"
+#include "gap/report/quantities.h"
 #include "gap/report/rest_wording.h"
 #include "gap/report/wording.h"
 
@@ -174,7 +175,7 @@ QString causesPart(const GapReport& report, const QPalette& palette) {
     rows += "<tr>" + cell((named ? "<b>" + name + "</b>" : name) + "<br/>" + kind) +
             cell(bar(cause.explained, named ? accent::kTeal : accent::kBlue, palette)) +
             cell(percent(cause.explained), true) +
-            cell(percent(cause.shrink.fraction) + interval(cause.shrink.interval)) +
+            cell(html::text(gap::shrinkOf(cause.shrink.fraction)) + interval(cause.shrink.interval)) +
             cell(percent(cause.confidence), true) + sentence(parametersOf(cause)) + "</tr>";
   }
   QString page = title(QObject::tr("Which cause?")) + table(rows);
