@@ -69,7 +69,8 @@ std::string barFigure(const BarFigure& content) {
                 {.anchor = Anchor::End, .bold = bar.emphasised});
     if (std::isfinite(bar.value)) {
       drawBar(figure, bar, x, top);
-      figure.text({kWidth - 16.0, top + kBar - 3.0}, bar.label.empty() ? core::significant(bar.value) : bar.label, {.anchor = Anchor::End});
+      figure.text({kWidth - 16.0, top + kBar - 3.0}, bar.label.empty() ? core::significant(bar.value) : bar.label,
+                  {.anchor = Anchor::End});
     }
     top += kRow;
   }

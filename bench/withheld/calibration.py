@@ -3,7 +3,7 @@
 
     bench/withheld/calibration.py [--since 2026-11-25] [--sets docs/withheld]
 
-The confidences of docs/diagnosis.md were chosen by this table. A verdict that cannot tell two causes apart counts as one cause.
+The confidences of docs/diagnosis.md were chosen by this table. Verdicts with which other causes are tied stand in rows of their own.
 """
 
 import argparse
@@ -17,10 +17,8 @@ EDGES = (0.0, 0.45, 0.505, 0.6, 0.7, 0.8, 0.9, 1.0)
 
 
 def told_as(row):
-    """What kind of verdict a row is for its belief: one cause of any kind, two, none, unknown."""
-    said = score.kind_said(row)
-    ties = "" if said in ("none", "unknown") or not row["equivalents"] else ", tied with one" if len(row["equivalents"]) == 1 else ", tied with more"
-    return said + ties
+    """What kind of verdict a row is (score.SAID), and with how many other causes it is tied."""
+    return score.kind_said(row) + ("", ", tied with one", ", tied with more")[min(2, len(row["equivalents"]))]
 
 
 def lines(rows):

@@ -76,8 +76,8 @@ bool explainsWhatAReferenceLeaves(const Judge& judge, const Candidate& best, con
          restOf(judge, pair) > kNoRest;
 }
 
-/// Whether a pair says less than one cause of many numbers (a cloud has four, fog behind a wrong power two): which of
-/// some sixty causes the second is costs as much as a number does, four nats.
+/// Whether a pair says less than one cause of many numbers (a cloud has four, fog behind a wrong power two) and leaves
+/// no more of the total gap. Which of some sixty causes the second is costs as much as a number does, four nats.
 bool saysLess(const Candidate& pair, const Candidate& single) {
   return pair.values.size() + 1 < single.values.size() && pair.total_left < single.total_left + kMaterialRest;
 }

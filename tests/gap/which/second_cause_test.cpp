@@ -78,7 +78,7 @@ TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
   EXPECT_LT(member.total_left, 0.1);
 }
 
-TEST_F(MissingOffset, LeavesAsMuchOfAGapAsOfThePartOfItThatIsNoNoise) {
+TEST_F(MissingOffset, LeavesLittleOfAGapThatIsMostlyNoise) {
   gap::Candidate half = candidate("range-offset", 0.015);
   half.total_left = 0.7;
   const gap::HeldOutGaps gaps(replay_, split_.held_out.samples, 1);

@@ -24,8 +24,8 @@ class Separation : public testing::Test {
   std::vector<gap::Hypothesis> hypotheses_ = gap::hypothesesFor(replay_, {"range-offset"});
 };
 
-// Both are 4 mm short, and one is so by 10 µm less: nearer by three standard deviations of a difference of 0.4 nats,
-// for under shared noise two that are nearly one differ by little at random, too.
+// Both are 4 mm short, and one is so by 10 µm less: nearer by three standard deviations of a difference of less than
+// a nat, for under shared noise two that are nearly one differ by little at random, too.
 TEST_F(Separation, TellsTwoThatAreNearlyOneApartNoMoreThanTheirLikelihoodsDo) {
   const gap::Candidate nearer = offset(0.046), farther = offset(0.04599);
   ASSERT_GT(gap::separation(judge_, nearer, farther), 3.0);
