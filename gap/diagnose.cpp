@@ -14,6 +14,7 @@
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
 #include "gap/which/ruling.h"
+#include "gap/which/whole_gap.h"
 #include "model/external/external_runs.h"
 
 namespace gap {

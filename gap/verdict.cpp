@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gap/which/belief.h"
+#include "gap/which/whole_gap.h"
 
 namespace gap {
 

@@ -7,6 +7,7 @@
 #include "gap/which/rivals.h"
 #include "gap/which/second_cause.h"
 #include "gap/which/second_search.h"
+#include "gap/which/whole_gap.h"
 
 namespace gap {
 

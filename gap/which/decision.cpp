@@ -19,6 +19,7 @@
 #include "gap/which/second_cause.h"
 #include "gap/which/second_search.h"
 #include "gap/which/significance.h"
+#include "gap/which/whole_gap.h"
 
 namespace gap {
 
@@ -272,6 +273,7 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
 void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                  Decision& decision, core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
+  leadOnTotal(exact, gaps, enoughToName(exact.yardstick), decision.singles, progress);
   const Candidate& best = decision.singles.front();
   const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
                         exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
@@ -308,11 +310,6 @@ std::string toString(VerdictKind kind) {
       return "unknown";
   }
   return "";
-}
-
-bool holdsOnTotal(const Candidate& winner, double shrink) {
-  constexpr double kMostBesideNoise = 0.5;  // of the total gap
-  return shrink > 0.0 || winner.explained >= kNearlyAllCells || winner.total_left < kMostBesideNoise;
 }
 
 bool staysBelowCeiling(const Candidate& winner, double left) {

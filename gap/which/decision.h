@@ -14,10 +14,6 @@ namespace gap {
 enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 [[nodiscard]] std::string toString(VerdictKind kind);
 
-/// Of the gap, explained: such a cause need not shrink the pooled gap. Pooled data hide what evens out, and of what a
-/// gate leaves in one sample they make much.
-inline constexpr double kNearlyAllCells = 0.95;
-
 /// What the search for causes ended with.
 struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
@@ -49,11 +45,6 @@ struct Decision {
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
-/// Whether a cause stays named that makes the total gap smaller by such a share. Where it is none the smaller, the
-/// cause only fitted single cells, unless it explains nearly all of them: pooled data hide what evens out (a car
-/// reported late, that leaves here as many echoes as it makes there); or unless what is left is its own noise (two sets
-/// of a few false alarms are as far from each other as one is from none).
-[[nodiscard]] bool holdsOnTotal(const Candidate& winner, double shrink);
 /// Whether a cause leaves so much of the gap that follows a law (`left`, Rest::belowCeiling) that it is not the cause;
 /// not so if next to nothing is left by another measure, of the discrepancy or of the total gap, or if the values show
 /// the cause by themselves.

@@ -95,10 +95,6 @@ bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, con
 
 }  // namespace
 
-double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate) {
-  return gaps.aboveNoise() * candidate.total_left;
-}
-
 bool roomForASecond(const Judge& judge, const Candidate& best, double left_by_best) {
   const LeftOver left = leftBy(best);
   const bool material = left.total > kMaterialRest || left.discrepancy > kMaterialCells;

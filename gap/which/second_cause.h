@@ -8,12 +8,6 @@
 
 namespace gap {
 
-/// Of the total gap, noise and all: two causes that leave more are not the causes.
-inline constexpr double kMostRestOfPair = 0.5;
-/// What a candidate leaves of the total gap, as a share of all of it: of a gap that is mostly noise a right cause takes
-/// little, and `total_left` is guesswork.
-[[nodiscard]] double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate);
-
 /// Whether a second cause could earn its place at all: no pair can gain more than what the best single cause leaves,
 /// and that must be a gap beyond doubt, or a part of the whole one that matters and is more than noise, or shows where
 /// all data are pooled. `left_by_best`, here and below: restOf the best single cause.

@@ -78,19 +78,6 @@ TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
   EXPECT_LT(member.total_left, 0.1);
 }
 
-TEST_F(MissingOffset, LeavesLittleOfAGapThatIsMostlyNoise) {
-  gap::Candidate half = candidate("range-offset", 0.015);
-  half.total_left = 0.7;
-  const gap::HeldOutGaps gaps(replay_, split_.held_out.samples, 1);
-  ASSERT_GT(gaps.aboveNoise(), 0.75);
-  EXPECT_GT(gap::restOfWholeGap(gaps, half), gap::kMostRestOfPair);
-  // Of an offset of 2 mm, a fifth of the resolution, most of the gap is noise.
-  const auto measured = world_.measuredBy(SmallWorld::modelWith({{"range-offset", {{"offset_m", 0.002}}}}), 0.4);
-  const gap::Replay replay(measured, SmallWorld::modelWith({}));
-  const gap::HeldOutGaps mostly_noise(replay, split_.held_out.samples, 1);
-  EXPECT_LT(gap::restOfWholeGap(mostly_noise, half), gap::kMostRestOfPair);
-}
-
 // Fog behind a wrong power is two numbers; a cloud that stands in for them is four, and which of sixty causes the
 // second one is costs another.
 TEST(SecondCause, NeedsNoGainBesideACauseThatSaysMoreThanBoth) {
