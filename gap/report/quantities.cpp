@@ -30,6 +30,12 @@ std::string numberIn(const Readable& shown, double value, int digits) {
   return number + (shown.unit.empty() || shown.unit == "°" ? "" : " ") + shown.unit;
 }
 
+/// In whole per cent, never "-0".
+double wholePercent(double fraction) { return std::round(100.0 * fraction) + 0.0; }
+
+/// So much larger that per cent say less than a factor.
+bool growsManyTimes(double shrink) { return shrink < -1.0; }
+
 }  // namespace
 
 std::string withUnit(double value, const std::string& unit, int digits) { return withUnitOf(0.0, value, unit, digits); }
@@ -43,10 +49,15 @@ std::string intervalText(const Interval& interval, const std::string& unit, doub
   return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low), numberIn(shown, interval.high, 3));
 }
 
-std::string percent(double fraction) { return fmt::format("{:.0f} %", 100.0 * fraction); }
+std::string percent(double fraction) { return fmt::format("{:.0f} %", wholePercent(fraction)); }
 
 std::string shrinkOf(double fraction) {
-  return fraction < -1.0 ? fmt::format("grows {:.0f}×", 1.0 - fraction) : percent(fraction);
+  return growsManyTimes(fraction) ? fmt::format("grows {:.0f}×", 1.0 - fraction) : percent(fraction);
+}
+
+std::string shrinkInterval(double fraction, const Interval& interval) {
+  if (growsManyTimes(fraction)) return fmt::format("[{:.0f}×, {:.0f}×]", 1.0 - interval.high, 1.0 - interval.low);
+  return fmt::format("[{:.0f}, {:.0f}]", wholePercent(interval.low), wholePercent(interval.high));
 }
 
 }  // namespace gap

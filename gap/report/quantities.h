@@ -18,5 +18,7 @@ namespace gap {
 [[nodiscard]] std::string percent(double fraction);
 /// Of a gap that shrinks by so much of itself: "62 %", "-30 %", and what makes it more than twice as large "grows 4×".
 [[nodiscard]] std::string shrinkOf(double fraction);
+/// Its interval in the same words: "[55, 70]", "[110×, 140×]".
+[[nodiscard]] std::string shrinkInterval(double fraction, const Interval& interval);
 
 }  // namespace gap

@@ -67,10 +67,10 @@ QString bar(double share, const QColor& colour, const QPalette& palette) {
       .arg(tint(palette, colour, 0.75).name(), rest);
 }
 
-/// Of a share, in percent; nothing if it was not computed.
-QString interval(const gap::Interval& share) {
-  if (share.low == share.high) return {};
-  return QStringLiteral(" [%1, %2]").arg(number(100.0 * share.low), number(100.0 * share.high));
+/// The interval of what a cause shrinks; nothing if it was not computed.
+QString interval(const gap::Shrink& shrink) {
+  if (shrink.interval.low == shrink.interval.high) return {};
+  return " " + html::text(gap::shrinkInterval(shrink.fraction, shrink.interval));
 }
 
 QString verdictPart(const GapReport& report, const QPalette& palette) {
@@ -175,7 +175,7 @@ QString causesPart(const GapReport& report, const QPalette& palette) {
     rows += "<tr>" + cell((named ? "<b>" + name + "</b>" : name) + "<br/>" + kind) +
             cell(bar(cause.explained, named ? accent::kTeal : accent::kBlue, palette)) +
             cell(percent(cause.explained), true) +
-            cell(html::text(gap::shrinkOf(cause.shrink.fraction)) + interval(cause.shrink.interval)) +
+            cell(html::text(gap::shrinkOf(cause.shrink.fraction)) + interval(cause.shrink)) +
             cell(percent(cause.confidence), true) + sentence(parametersOf(cause)) + "</tr>";
   }
   QString page = title(QObject::tr("Which cause?")) + table(rows);
@@ -207,7 +207,7 @@ QString howFarPart(const GapReport& report, const QPalette& palette) {
       title(report.shrink ? QObject::tr("How far does the gap shrink?") : QObject::tr("How large is the gap?"));
   if (report.shrink) {
     QString text = QObject::tr("By <b>%1</b>%2 on samples that no fit has seen")
-                       .arg(percent(report.shrink->fraction), interval(report.shrink->interval));
+                       .arg(percent(report.shrink->fraction), interval(*report.shrink));
     if (!report.held_out.empty()) text += " (" + html::text(core::join(report.held_out)) + ")";
     if (report.totals) {
       text +=

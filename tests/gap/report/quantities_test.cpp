@@ -30,8 +30,11 @@ TEST(Quantities, OneEchoIsNotSeveral) {
 TEST(Quantities, AGapThatGrowsManyTimesIsSaidToGrow) {
   EXPECT_EQ(shrinkOf(0.62), "62 %");
   EXPECT_EQ(shrinkOf(-0.3), "-30 %");
+  EXPECT_EQ(shrinkOf(-0.003), "0 %");
   EXPECT_EQ(shrinkOf(-3.0), "grows 4×");
   EXPECT_EQ(shrinkOf(-124.17), "grows 125×");
+  EXPECT_EQ(shrinkInterval(0.62, {0.554, 0.70}), "[55, 70]");
+  EXPECT_EQ(shrinkInterval(-124.17, {-139.0, -109.0}), "[110×, 140×]") << "the lesser growth first";
 }
 
 }  // namespace
