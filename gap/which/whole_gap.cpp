@@ -27,8 +27,7 @@ void leadOnTotal(const Judge& exact, const HeldOutGaps& gaps, double enough, std
                  const core::Progress& progress) {
   if (holdsOnTotal(singles.front(), shrinkBy(exact, gaps, singles.front(), progress).fraction)) return;
   const auto holds = std::find_if(singles.begin() + 1, singles.end(), [&](const Candidate& candidate) {
-    return exact.accountedFor(candidate) >= enough &&
-           shrinkBy(exact, gaps, candidate, progress).interval.low > 0.0;
+    return exact.accountedFor(candidate) >= enough && shrinkBy(exact, gaps, candidate, progress).interval.low > 0.0;
   });
   if (holds != singles.end()) std::rotate(singles.begin(), holds, holds + 1);
 }
