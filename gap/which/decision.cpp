@@ -228,7 +228,7 @@ void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gap
     leadByAll(quick, exact, pairs, addedBySecond(singles.front(), pairs));
     if (samePair(led, pairs.front())) break;
   }
-  leadByEffects(quick, exact, pairs);
+  leadByPlainest(quick, exact, pairs);
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -263,7 +263,7 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   const auto earning = std::find_if(heard.begin(), heard.end(), earns);
   if (earning == heard.end()) return false;
   std::rotate(heard.begin(), earning, earning + 1);
-  leadByEffects(quick, exact, pairs);
+  leadByPlainest(quick, exact, pairs);
   nameFirstOf(pairs, quick, exact, decision);
   return true;
 }
@@ -273,6 +273,7 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
 void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                  Decision& decision, core::Progress& progress) {
   leadByAll(quick, exact, decision.singles);
+  leadByPlainest(quick, exact, decision.singles);
   leadOnTotal(exact, gaps, enoughToName(exact.yardstick), decision.singles, progress);
   const Candidate& best = decision.singles.front();
   const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "gap/which/pair_guesses.h"
+#include "gap/which/recalibrations.h"
 #include "gap/which/second_search.h"
 
 namespace gap {
@@ -24,7 +25,7 @@ constexpr std::size_t kWellFitted = 4;  // of a batch of pairs: the others are f
 class PairSearch {
  public:
   PairSearch(const Judge& judge, const std::vector<Candidate>& singles, core::Progress& progress)
-      : judge_(judge), singles_(singles), progress_(progress), guesses_(judge, singles, progress) {}
+      : judge_(judge), singles_(singles), progress_(progress), looks_(judge, singles, progress) {}
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
@@ -33,12 +34,13 @@ class PairSearch {
       append(guesses, i == leaders.front() ? searchedAnewBeside(i) : guesses_.partnersOf(i, singles_[i].values));
     }
     append(guesses, guesses_.nearestSums());
-    append(guesses, guesses_.besideRecalibration());
+    append(guesses, recalibrations_.hidden());
     fit(std::move(guesses));
+    fitWhatIsNearer(recalibrations_.hiddenFromFewData());
     if (littleIsExplained()) fit(guesses_.nearestOfEveryTwo());
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
-      const auto middle = best.candidate.values.begin() + static_cast<std::ptrdiff_t>(guesses_.numbersOf(best.first));
+      const auto middle = best.candidate.values.begin() + static_cast<std::ptrdiff_t>(looks_.numbersOf(best.first));
       guesses = guesses_.partnersOf(best.first, {best.candidate.values.begin(), middle});
       append(guesses, guesses_.partnersOf(best.second, {middle, best.candidate.values.end()}));
       fit(std::move(guesses));
@@ -53,7 +55,7 @@ class PairSearch {
   struct Fitted {
     std::size_t first = 0, second = 0;
     Candidate candidate;
-    double discrepancy = 0.0;  ///< on the samples that were fitted, after a rough fit
+    double discrepancy = 0.0;  ///< on the samples that were fitted
   };
 
   /// The cause that is best alone; the one that brings the fitted samples nearest, for where it acts there may be no
@@ -85,7 +87,7 @@ class PairSearch {
     core::PartOfProgress part(progress_, 0.0, 0.5);
     for (const Found& found : searchedBeside(judge_, singles_[first], singles_, part)) {
       Guess guess{first, found.single, joined(singles_[first].values, found.values)};
-      guess.distance = guesses_.distanceOf(guesses_.hypothesisOf(guess), guess.values);
+      guess.distance = looks_.distanceOf(looks_.hypothesisOf(guess), guess.values);
       guesses.push_back(std::move(guess));
     }
     return guesses;
@@ -97,22 +99,42 @@ class PairSearch {
            std::all_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) { return little(pair.candidate); });
   }
 
+  /// Whether both are of the same two causes.
+  [[nodiscard]] static bool areOf(const Fitted& pair, const Guess& guess) {
+    return std::minmax(pair.first, pair.second) == std::minmax(guess.first, guess.second);
+  }
+
   /// Whether these two causes were fitted together already, and came as near to the data as this guess.
   [[nodiscard]] bool known(const Guess& guess) const {
     return std::any_of(pairs_.begin(), pairs_.end(), [&](const Fitted& pair) {
-      if (std::minmax(pair.first, pair.second) != std::minmax(guess.first, guess.second)) return false;
+      if (!areOf(pair, guess)) return false;
       const Candidate& fitted = pair.candidate;
-      return guesses_.distanceOf(fitted.hypothesis, fitted.values) <= guess.distance;
+      return looks_.distanceOf(fitted.hypothesis, fitted.values) <= guess.distance;
     });
   }
 
-  /// Joint fits of the guesses that are new; `pairs_` stays in order of merit.
+  /// Joint fits of the guesses that are new.
   void fit(std::vector<Guess> guesses) {
     guesses = guesses_.improved(std::move(guesses));
     std::set<std::pair<std::size_t, std::size_t>> taken;
     std::erase_if(guesses, [&](const Guess& guess) {
       return known(guess) || !taken.insert(std::minmax(guess.first, guess.second)).second;
     });
+    fitJointly(guesses);
+  }
+
+  /// Joint fits of the guesses whose distance from all that is fitted is less than that of the same two as they were
+  /// fitted already: where few data lead them along a valley, none of them leads back.
+  void fitWhatIsNearer(std::vector<Guess> guesses) {
+    std::erase_if(guesses, [&](const Guess& guess) {
+      return std::any_of(pairs_.begin(), pairs_.end(),
+                         [&](const Fitted& pair) { return areOf(pair, guess) && pair.discrepancy <= guess.distance; });
+    });
+    fitJointly(guesses);
+  }
+
+  /// `pairs_` stays in order of merit.
+  void fitJointly(const std::vector<Guess>& guesses) {
     std::vector<Fitted> fitted(guesses.size());
     std::atomic<std::size_t> done = 0;
     const Evidence& evidence = judge_.split.fitted;
@@ -121,7 +143,7 @@ class PairSearch {
       Candidate& candidate = fitted[g].candidate;
       fitted[g].first = guess.first;
       fitted[g].second = guess.second;
-      candidate.hypothesis = guesses_.hypothesisOf(guess);
+      candidate.hypothesis = looks_.hypothesisOf(guess);
       candidate.values = roughFitFrom(judge_.replay, candidate.hypothesis, evidence, guess.values, progress_);
       fitted[g].discrepancy = judge_.leftOfFitted(candidate.hypothesis, candidate.values);
       progress_.report(static_cast<double>(++done) / static_cast<double>(guesses.size()),
@@ -133,12 +155,13 @@ class PairSearch {
       Candidate& candidate = fitted[f].candidate;
       if (f < kWellFitted)
         candidate.values = fitFrom(judge_.replay, candidate.hypothesis, evidence, candidate.values, progress_);
+      fitted[f].discrepancy = judge_.leftOfFitted(candidate.hypothesis, candidate.values);
       judge_.hear(candidate);
     });
     std::move(fitted.begin(), fitted.end(), std::back_inserter(pairs_));
     std::stable_sort(pairs_.begin(), pairs_.end(),
                      [](const Fitted& a, const Fitted& b) { return better(a.candidate, b.candidate); });
-    taken.clear();  // of a pair that was fitted again the better fit stays
+    std::set<std::pair<std::size_t, std::size_t>> taken;  // of a pair that was fitted again the better fit stays
     std::erase_if(pairs_,
                   [&](const Fitted& pair) { return !taken.insert(std::minmax(pair.first, pair.second)).second; });
   }
@@ -146,7 +169,9 @@ class PairSearch {
   const Judge& judge_;
   const std::vector<Candidate>& singles_;
   core::Progress& progress_;
-  const PairGuesses guesses_;
+  const Looks looks_;
+  const PairGuesses guesses_{looks_};
+  const Recalibrations recalibrations_{looks_};
   std::vector<Fitted> pairs_;
 };
 

@@ -149,16 +149,20 @@ void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& c
   }
 }
 
-void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs) {
-  const auto effectsIn = [](const Candidate& pair) {
-    return std::count_if(pair.hypothesis.members.begin(), pair.hypothesis.members.end(),
+void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
+  const auto effectsIn = [](const Candidate& candidate) {
+    return std::count_if(candidate.hypothesis.members.begin(), candidate.hypothesis.members.end(),
                          [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; });
   };
-  for (std::size_t i = 1; i < pairs.size() && i <= kRivals; ++i) {
-    const Candidate &best = pairs.front(), &other = pairs[i];
-    if (other.merit < best.merit - kFarBehind) break;
-    if (effectsIn(other) <= effectsIn(best) || priceOf(other) > priceOf(best)) continue;
-    if (separationOnAll(quick, exact, best, other, kTie) < kApart) std::swap(pairs.front(), pairs[i]);
+  const auto plainer = [&](const Candidate& other, const Candidate& best) {
+    const auto more = effectsIn(other) - effectsIn(best);
+    return more > 0 ? priceOf(other) <= priceOf(best) : more == 0 && priceOf(other) < priceOf(best);
+  };
+  for (std::size_t i = 1; i < candidates.size() && i <= kRivals; ++i) {
+    const Candidate &best = candidates.front(), &other = candidates[i];
+    if (best.hypothesis.seen_in_values || other.merit < best.merit - kFarBehind) break;
+    if (plainer(other, best) && toldFromOnAll(quick, exact, best, other, kTie) < kApart)
+      std::swap(candidates.front(), candidates[i]);
   }
 }
 

@@ -28,7 +28,7 @@ struct Rival {
                                              const std::vector<Candidate>& candidates);
 
 /// The cause that one pair has in place of an effect of another pair, which are otherwise the same; its separation is
-/// left open. None where that is a parameter: it would not be named (leadByEffects).
+/// left open. None where that is a parameter: it would not be named (leadByPlainest).
 [[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
 
 /// Of what the nearest of the leading pairs explains, the share that the best single cause does not. What a pair
@@ -43,8 +43,9 @@ struct Rival {
 /// samples, by more than what it takes more to say it. `added`, of pairs: addedBySecond.
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added = 1.0);
 
-/// Of pairs that the data cannot tell from the best one, one of two effects before one with a recalibration: it would
-/// not be named, and the effect in its place would be missed.
-void leadByEffects(const Judge& quick, const Judge& exact, std::vector<Candidate>& pairs);
+/// Of causes, or pairs, that the data cannot tell from the best one, the plainest first: two effects before one with a
+/// recalibration, which would not be named, so that the effect in its place would be missed; and what says as much in
+/// fewer numbers, or in its usual form (speckle before a jitter of the power alone).
+void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates);
 
 }  // namespace gap

@@ -58,7 +58,7 @@ class Rivals : public testing::Test {
     return pair;
   }
   [[nodiscard]] std::string leaderOf(std::vector<gap::Candidate> pairs) const {
-    gap::leadByEffects(judge_, judge_, pairs);
+    gap::leadByPlainest(judge_, judge_, pairs);
     return pairs.front().hypothesis.members[1].name;
   }
 
@@ -81,6 +81,12 @@ TEST_F(Rivals, OfTwoEffectsLeadHoweverLittleARecalibrationMoves) {
   const double recorded_w = replay_.baseline().model.sensor("").receiver.threshold_w;
   const gap::Candidate threshold = pairAt("/sensor/receiver/threshold_w", "", 1.001 * recorded_w, 1.0);
   EXPECT_EQ(leaderOf({threshold, pairAt("atmospheric-attenuation", "", 20000.0, 0.99)}), "atmospheric-attenuation");
+}
+
+// A haze that nobody sees and a gloss that none has do as little; the gloss of every surface is one form of several.
+TEST_F(Rivals, InTheirUsualFormLeadBeforeAnotherFormThatSaysTheSame) {
+  const gap::Candidate gloss = pairAt("multipath", "every surface", 0.0, 1.0);
+  EXPECT_EQ(leaderOf({gloss, pairAt("atmospheric-attenuation", "", 20000.0, 0.99)}), "atmospheric-attenuation");
 }
 
 TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
