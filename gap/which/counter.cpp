@@ -52,7 +52,7 @@ std::vector<Candidate> besideTheCounter(const Judge& quick, const Judge& exact, 
   if (pairs.empty()) return {};
   sortByMerit(pairs);
   polish(exact, gaps, pairs, where, progress);
-  leadByPlainest(quick, exact, pairs);
+  leadByPlainest(quick, exact, pairs, addedBySecond(counter, pairs));
   const double alone = std::min(1.0, best.explained), both = std::min(1.0, pairs.front().explained);
   const bool leaves_more = restOfWholeGap(gaps, pairs.front()) > std::max(kMostRestOfPair, restOfWholeGap(gaps, best));
   return both < alone - std::max(kHarmedCells, exact.yardstick.noiseOfShare()) || leaves_more ? std::vector<Candidate>{}

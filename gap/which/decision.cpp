@@ -228,7 +228,7 @@ void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gap
     leadByAll(quick, exact, pairs, addedBySecond(singles.front(), pairs));
     if (samePair(led, pairs.front())) break;
   }
-  leadByPlainest(quick, exact, pairs);
+  leadByPlainest(quick, exact, pairs, addedBySecond(singles.front(), pairs));
 }
 
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
@@ -263,7 +263,7 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   const auto earning = std::find_if(heard.begin(), heard.end(), earns);
   if (earning == heard.end()) return false;
   std::rotate(heard.begin(), earning, earning + 1);
-  leadByPlainest(quick, exact, pairs);
+  leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));
   nameFirstOf(pairs, quick, exact, decision);
   return true;
 }

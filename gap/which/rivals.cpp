@@ -149,20 +149,21 @@ void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& c
   }
 }
 
-void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates) {
+void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added) {
   const auto effectsIn = [](const Candidate& candidate) {
     return std::count_if(candidate.hypothesis.members.begin(), candidate.hypothesis.members.end(),
                          [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; });
   };
-  const auto plainer = [&](const Candidate& other, const Candidate& best) {
+  const auto isPlainer = [&](const Candidate& other, const Candidate& best) {
     const auto more = effectsIn(other) - effectsIn(best);
-    return more > 0 ? priceOf(other) <= priceOf(best) : more == 0 && priceOf(other) < priceOf(best);
+    if (more > 0) return priceOf(other) <= priceOf(best) && separationOnAll(quick, exact, best, other, kTie) < kApart;
+    return more == 0 && priceOf(other) < priceOf(best) &&
+           toldFromOnAll(quick, exact, best, other, kTie * added) < kApart;
   };
   for (std::size_t i = 1; i < candidates.size() && i <= kRivals; ++i) {
     const Candidate &best = candidates.front(), &other = candidates[i];
     if (best.hypothesis.seen_in_values || other.merit < best.merit - kFarBehind) break;
-    if (plainer(other, best) && toldFromOnAll(quick, exact, best, other, kTie) < kApart)
-      std::swap(candidates.front(), candidates[i]);
+    if (isPlainer(other, best)) std::swap(candidates.front(), candidates[i]);
   }
 }
 
