@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "gap/report/quantities.h"
 #include "gap/report/rest_wording.h"
 #include "gap/report/sections.h"
 #include "gap/report/wording.h"
@@ -197,10 +198,6 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
-
-std::string percentInterval(const Interval& interval) {
-  return fmt::format("{:.0f} to {:.0f} %", 100.0 * interval.low, 100.0 * interval.high);
-}
 
 std::string fittedText(const Cause& cause, const FittedParameter& parameter) {
   const std::string unit = unitOf(parameter);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "gap/report/quantities.h"
 #include "gap/report/sections.h"
 #include "gap/report/wording.h"
 #include "report/curve_figure.h"

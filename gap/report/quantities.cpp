@@ -51,6 +51,10 @@ std::string intervalText(const Interval& interval, const std::string& unit, doub
 
 std::string percent(double fraction) { return fmt::format("{:.0f} %", wholePercent(fraction)); }
 
+std::string percentInterval(const Interval& interval) {
+  return fmt::format("{:.0f} to {:.0f} %", wholePercent(interval.low), wholePercent(interval.high));
+}
+
 std::string shrinkOf(double fraction) {
   return growsManyTimes(fraction) ? fmt::format("grows {:.0f}×", 1.0 - fraction) : percent(fraction);
 }

@@ -16,6 +16,8 @@ namespace gap {
 
 /// "62 %".
 [[nodiscard]] std::string percent(double fraction);
+/// "92 to 97 %".
+[[nodiscard]] std::string percentInterval(const Interval& interval);
 /// Of a gap that shrinks by so much of itself: "62 %", "-30 %", and what makes it more than twice as large "grows 4×".
 [[nodiscard]] std::string shrinkOf(double fraction);
 /// Its interval in the same words: "[55, 70]", "[110×, 140×]".

@@ -17,8 +17,6 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis);
 void addNext(report::Page& page, const Diagnosis& diagnosis);
 void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the words used
 
-/// "92 to 97 %".
-[[nodiscard]] std::string percentInterval(const Interval& interval);
 /// "meteorological visibility 522 m (95 % interval 450 to 594 m)".
 [[nodiscard]] std::string fittedText(const Cause& cause, const FittedParameter& parameter);
 /// Whether the verdict names a cause.

@@ -29,14 +29,15 @@ class PairSearch {
 
   [[nodiscard]] std::vector<Candidate> run() {
     std::vector<Guess> guesses;
-    const std::vector<std::size_t> leaders = partnered();
+    const std::vector<double> left = leftBySingles();
+    const std::vector<std::size_t> leaders = partnered(left);
     for (const std::size_t i : leaders) {
       append(guesses, i == leaders.front() ? searchedAnewBeside(i) : guesses_.partnersOf(i, singles_[i].values));
     }
     append(guesses, guesses_.nearestSums());
     append(guesses, recalibrations_.hidden());
     fit(std::move(guesses));
-    fitWhatIsNearer(recalibrations_.hiddenFromFewData());
+    fitWhatIsNearer(hiddenFromFewData(left));
     if (littleIsExplained()) fit(guesses_.nearestOfEveryTwo());
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {
       const Fitted best = pairs_.front();
@@ -58,19 +59,24 @@ class PairSearch {
     double discrepancy = 0.0;  ///< on the samples that were fitted
   };
 
+  /// What every single cause leaves of the samples that are fitted; those of every set-up are not asked.
+  [[nodiscard]] std::vector<double> leftBySingles() const {
+    std::vector<double> left(singles_.size(), std::numeric_limits<double>::infinity());
+    core::parallelFor(left.size(), 1, [&](std::size_t i, std::size_t) {
+      core::stopIfCancelled(progress_);
+      const Candidate& single = singles_[i];
+      if (!single.hypothesis.per_setup) left[i] = judge_.leftOfFitted(single.hypothesis, single.values);
+    });
+    return left;
+  }
+
   /// The cause that is best alone; the one that brings the fitted samples nearest, for where it acts there may be no
-  /// sample that is held out; and then by merit. Of different names.
-  [[nodiscard]] std::vector<std::size_t> partnered() const {
+  /// sample that is held out; and then by merit. Of different names. `left`: leftBySingles.
+  [[nodiscard]] std::vector<std::size_t> partnered(const std::vector<double>& left) const {
     std::vector<std::size_t> by_merit;
     for (std::size_t i = 0; i < singles_.size(); ++i)
       if (!singles_[i].hypothesis.per_setup) by_merit.push_back(i);
     if (by_merit.empty()) return {};
-    std::vector<double> left(singles_.size(), std::numeric_limits<double>::infinity());
-    core::parallelFor(by_merit.size(), 1, [&](std::size_t k, std::size_t) {
-      core::stopIfCancelled(progress_);
-      const Candidate& single = singles_[by_merit[k]];
-      left[by_merit[k]] = judge_.leftOfFitted(single.hypothesis, single.values);
-    });
     const auto nearest = static_cast<std::size_t>(std::min_element(left.begin(), left.end()) - left.begin());
     std::vector<std::size_t> wanted{by_merit.front(), nearest};
     append(wanted, by_merit);
@@ -79,6 +85,17 @@ class PairSearch {
       return names.size() == kPartnered || !names.insert(singles_[i].hypothesis.name).second;
     });
     return wanted;
+  }
+
+  /// What the parameter hides that alone brings the fitted samples nearest. `left`: leftBySingles.
+  [[nodiscard]] std::vector<Guess> hiddenFromFewData(const std::vector<double>& left) const {
+    std::size_t nearest = left.size();
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const bool parameter = singles_[i].hypothesis.kind == CauseKind::kParameter;
+      if (parameter && (nearest == left.size() || left[i] < left[nearest])) nearest = i;
+    }
+    if (nearest == left.size()) return {};
+    return recalibrations_.hiddenFromFewData(nearest, left[nearest]);
   }
 
   /// What the search for a single cause finds beside this one.

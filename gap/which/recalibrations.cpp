@@ -134,20 +134,6 @@ std::vector<Guess> Recalibrations::hiddenBy(std::size_t parameter, const std::ve
   return guesses;
 }
 
-/// The parameter that alone brings the samples nearest that are fitted.
-std::optional<std::size_t> Recalibrations::nearestParameter() const {
-  std::optional<std::size_t> nearest;
-  double least = 0.0;
-  for (std::size_t i = 0; i < looks_.singles().size(); ++i) {
-    if (looks_.singles()[i].hypothesis.kind != CauseKind::kParameter) continue;
-    const double left = looks_.judge().leftOfFitted(looks_.singles()[i].hypothesis, looks_.singles()[i].values);
-    if (nearest && left >= least) continue;
-    nearest = i;
-    least = left;
-  }
-  return nearest;
-}
-
 /// Of an effect's guesses beside many values of a parameter the one that all data like best, if it is below `least`:
 /// some of those between which the few data do not tell are asked.
 std::optional<Guess> Recalibrations::nearestByAll(const std::vector<Guess>& along, double least) const {
@@ -188,12 +174,9 @@ std::vector<std::vector<Guess>> Recalibrations::placesBeside(std::size_t paramet
   return places;
 }
 
-std::vector<Guess> Recalibrations::hiddenFromFewData() const {
-  const std::optional<std::size_t> parameter = nearestParameter();
-  if (!parameter) return {};
-  const Candidate& alone = looks_.singles()[*parameter];
-  const double least = looks_.judge().leftOfFitted(alone.hypothesis, alone.values) - Judge::kNatsPerNumber;
-  const std::vector<std::vector<Guess>> places = placesBeside(*parameter);
+std::vector<Guess> Recalibrations::hiddenFromFewData(std::size_t parameter, double left_alone) const {
+  const double least = left_alone - Judge::kNatsPerNumber;
+  const std::vector<std::vector<Guess>> places = placesBeside(parameter);
   std::vector<std::optional<Guess>> nearest(places.size());
   core::parallelFor(places.size(), 1, [&](std::size_t e, std::size_t) { nearest[e] = nearestByAll(places[e], least); });
   std::vector<Guess> guesses;

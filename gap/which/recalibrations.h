@@ -19,9 +19,10 @@ class Recalibrations {
 
   /// The effects that are nearest beside another value of any parameter, by the few data.
   [[nodiscard]] std::vector<Guess> hidden() const;
-  /// The same of the parameter that alone comes nearest, by all data that are fitted: where few data cannot tell how
-  /// much of an effect it makes up for, more of them can. Their distance is the one from these data.
-  [[nodiscard]] std::vector<Guess> hiddenFromFewData() const;
+  /// The same beside one parameter (a single), by all data that are fitted, of which it leaves so much alone: where few
+  /// data cannot tell how much of an effect it makes up for, more of them can. Their distance is the one from these
+  /// data.
+  [[nodiscard]] std::vector<Guess> hiddenFromFewData(std::size_t parameter, double left_alone) const;
 
  private:
   /// Two places of an effect of one number (Looks::atoms), with none between them: what it does there is interpolated.
@@ -45,7 +46,6 @@ class Recalibrations {
   void lookBetween(std::size_t parameter, const Step& step, Farness farness, Nearest& nearest) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter, const std::vector<Step>& steps,
                                             Farness farness) const;
-  [[nodiscard]] std::optional<std::size_t> nearestParameter() const;
   [[nodiscard]] std::vector<std::vector<Guess>> placesBeside(std::size_t parameter) const;
   [[nodiscard]] std::optional<Guess> nearestByAll(const std::vector<Guess>& along, double least) const;
 

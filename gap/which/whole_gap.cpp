@@ -8,11 +8,6 @@ namespace {
 
 constexpr double kMostBesideNoise = 0.5;  // of the total gap
 
-Shrink shrinkBy(const Judge& exact, const HeldOutGaps& gaps, const Candidate& candidate,
-                const core::Progress& progress) {
-  return gaps.with(worldOf(exact.replay, candidate.hypothesis, candidate.values), progress).shrink;
-}
-
 }  // namespace
 
 double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate) {
@@ -25,9 +20,11 @@ bool holdsOnTotal(const Candidate& winner, double shrink) {
 
 void leadOnTotal(const Judge& exact, const HeldOutGaps& gaps, double enough, std::vector<Candidate>& singles,
                  const core::Progress& progress) {
-  if (holdsOnTotal(singles.front(), shrinkBy(exact, gaps, singles.front(), progress).fraction)) return;
+  const auto worldWith = [&](const Candidate& c) { return worldOf(exact.replay, c.hypothesis, c.values); };
+  if (holdsOnTotal(singles.front(), gaps.shrinkTo(gaps.totalIn(worldWith(singles.front()))))) return;
   const auto holds = std::find_if(singles.begin() + 1, singles.end(), [&](const Candidate& candidate) {
-    return exact.accountedFor(candidate) >= enough && shrinkBy(exact, gaps, candidate, progress).interval.low > 0.0;
+    return exact.accountedFor(candidate) >= enough &&
+           gaps.with(worldWith(candidate), progress).shrink.interval.low > 0.0;
   });
   if (holds != singles.end()) std::rotate(singles.begin(), holds, holds + 1);
 }

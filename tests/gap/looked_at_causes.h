@@ -29,10 +29,17 @@ class LookedAtCauses {
     std::stable_partition(singles_.begin(), singles_.end(), std::not_fn(is(last)));
   }
 
-  /// What the fit of a cause alone found.
-  void fitted(const std::string& name, const std::vector<double>& values) {
-    for (gap::Candidate& single : singles_)
-      if (single.hypothesis.name == name) single.values = values;
+  /// The place of a cause, with what its fit alone found.
+  std::size_t fitted(const std::string& name, const std::vector<double>& values) {
+    const auto single = std::find_if(singles_.begin(), singles_.end(), [&](const gap::Candidate& candidate) {
+      return candidate.hypothesis.name == name;
+    });
+    single->values = values;
+    return static_cast<std::size_t>(single - singles_.begin());
+  }
+  /// What a cause leaves alone of the samples that are fitted.
+  [[nodiscard]] double leftBy(std::size_t single) const {
+    return judge_.leftOfFitted(singles_[single].hypothesis, singles_[single].values);
   }
   [[nodiscard]] gap::Looks looks() const { return {judge_, singles_, progress_}; }
   [[nodiscard]] const std::string& nameOf(std::size_t single) const { return singles_[single].hypothesis.name; }

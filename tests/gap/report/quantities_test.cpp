@@ -31,6 +31,7 @@ TEST(Quantities, AGapThatGrowsManyTimesIsSaidToGrow) {
   EXPECT_EQ(shrinkOf(0.62), "62 %");
   EXPECT_EQ(shrinkOf(-0.3), "-30 %");
   EXPECT_EQ(shrinkOf(-0.003), "0 %");
+  EXPECT_EQ(percentInterval({-0.003, 0.05}), "0 to 5 %");
   EXPECT_EQ(shrinkOf(-3.0), "grows 4×");
   EXPECT_EQ(shrinkOf(-124.17), "grows 125×");
   EXPECT_EQ(shrinkInterval(0.62, {0.554, 0.70}), "[55, 70]");

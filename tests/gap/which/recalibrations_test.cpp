@@ -31,9 +31,10 @@ TEST(Recalibration, HidesAsMuchOfACauseAsAllFittedDataSay) {
   const SmallWorld world;
   LookedAtCauses causes(world, {{"atmospheric-attenuation", {{"visibility_m", 2600.0}}}}, "range-offset",
                         "atmospheric-attenuation", {}, 0.42);
-  causes.fitted("/materials/plaster/reflectivity", {0.403});
+  const std::size_t reflectivity = causes.fitted("/materials/plaster/reflectivity", {0.403});
   const gap::Looks looks = causes.looks();
-  const std::vector<gap::Guess> guesses = gap::Recalibrations(looks).hiddenFromFewData();
+  const std::vector<gap::Guess> guesses =
+      gap::Recalibrations(looks).hiddenFromFewData(reflectivity, causes.leftBy(reflectivity));
   const auto haze = std::find_if(guesses.begin(), guesses.end(), [&](const gap::Guess& guess) {
     return causes.nameOf(guess.first) == "atmospheric-attenuation";
   });
