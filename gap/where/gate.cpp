@@ -5,19 +5,15 @@
 #include <vector>
 
 #include "gap/replay/statistics.h"
+#include "gap/where/end_of_loss.h"
 
 namespace gap {
 
 namespace {
 
-/// A surface that a beam should see: echoes lost less echoes there, over the frames.
-struct Expected {
-  double range_m;
-  double balance;
-};
-
-std::vector<Expected> expectedIn(const Replay& replay, const ResidualTable& missing) {
-  std::vector<Expected> list;
+/// By range, every surface that a beam should see, over the frames.
+std::vector<LossAt> expectedIn(const Replay& replay, const ResidualTable& missing) {
+  std::vector<LossAt> list;
   for (const ResidualTable::Row& row : missing.rows) {
     const ReplaySample& sample = replay.samples()[row.sample];
     const Cell& cell = sample.layout->cells()[row.cell];
@@ -25,23 +21,8 @@ std::vector<Expected> expectedIn(const Replay& replay, const ResidualTable& miss
     const double lost = std::max(0.0, -row.value) * row.weight;
     list.push_back({cell.anchor_m, lost - sample.statistics[row.cell].count});
   }
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Expected& a, const Expected& b) { return a.range_m < b.range_m; });
+  std::stable_sort(list.begin(), list.end(), [](const LossAt& a, const LossAt& b) { return a.value < b.value; });
   return list;
-}
-
-/// Where the sum of the balances from the begin of the list on is largest, if it is positive anywhere.
-template <typename Iterator>
-std::optional<double> endOfLoss(Iterator begin, Iterator end) {
-  double sum = 0.0, most = 0.0;
-  std::optional<double> range_m;
-  for (Iterator i = begin; i != end; ++i) {
-    sum += i->balance;
-    if (sum <= most) continue;
-    most = sum;
-    range_m = i + 1 == end ? i->range_m : 0.5 * (i->range_m + (i + 1)->range_m);
-  }
-  return range_m;
 }
 
 /// Of a range of one cell about its mean: the variance of a few frames of one cell would have tails.
@@ -96,8 +77,8 @@ Ends expectedBeyond(const Replay& replay, const Ends& ends_m) {
 
 Gate gateIn(const Replay& replay, const ResidualTable& missing) {
   constexpr double kSeveral = 5.0;  // by chance none of them in 1 of 150
-  const std::vector<Expected> expected = expectedIn(replay, missing);
-  Gate gate{endOfLoss(expected.begin(), expected.end()), endOfLoss(expected.rbegin(), expected.rend()), {}, {}};
+  const std::vector<LossAt> expected = expectedIn(replay, missing);
+  Gate gate{endOfLoss(expected), endOfLoss({expected.rbegin(), expected.rend()}), {}, {}};
   if (const std::optional<Ends> ends_m = outermostIn(replay)) {
     const Ends beyond = expectedBeyond(replay, *ends_m);
     if (beyond.nearest > kSeveral) gate.nearest_m = ends_m->nearest;

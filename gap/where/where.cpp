@@ -5,6 +5,7 @@
 
 #include "gap/distance/settle.h"
 #include "gap/where/moved_echoes.h"
+#include "gap/where/near_echoes.h"
 
 namespace gap {
 
@@ -85,7 +86,10 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   result.unexpected = unexpectedEchoes(replay, result.expected, frames);
   result.false_echoes_per_shot = falseEchoesPerShot(replay, result.expected, frames);
   for (const ResidualTable& table : result.tables) {
-    if (table.component == "missing") result.gate = gateIn(replay, table);
+    if (table.component == "missing") {
+      result.gate = gateIn(replay, table);
+      result.near_echoes_m = lossOfNearEchoes_m(replay, table, result.expected);
+    }
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
   }
   for (const WhereRow& row : result.rows) {

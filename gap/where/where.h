@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gap/where/gate.h"
+#include "gap/where/residual_tables.h"
 #include "gap/where/sectors.h"
 #include "gap/where/strata.h"
 #include "gap/where/unexpected_echoes.h"
@@ -15,11 +16,12 @@ namespace gap {
 struct WhereResult {
   std::vector<WhereRow> rows;
   std::vector<ResidualTable> tables;
-  std::vector<ResidualTable> by_beam;  ///< the same with moved echoes as residuals (moved_echoes.h); the rows' tables
-  CellsOfSamples expected;             ///< by the world, under other noise,
-  std::vector<int> frames;             ///< in so many frames of every sample
-  std::vector<Sector> sectors;         ///< that explain the residuals best (sectors.h)
-  Gate gate;                           ///< that explains what is missing best (gate.h)
+  std::vector<ResidualTable> by_beam;   ///< the same with moved echoes as residuals (moved_echoes.h); the rows' tables
+  CellsOfSamples expected;              ///< by the world, under other noise,
+  std::vector<int> frames;              ///< in so many frames of every sample
+  std::vector<Sector> sectors;          ///< that explain the residuals best (sectors.h)
+  Gate gate;                            ///< that explains what is missing best (gate.h)
+  std::optional<double> near_echoes_m;  ///< within which one of two echoes is lost (near_echoes.h)
   std::optional<UnexpectedEchoes> unexpected;  ///< that lie together (unexpected_echoes.h)
   double false_echoes_per_shot = 0.0;          ///< that no surface makes, more than the world expects
   double largest_steps = 0.0;  ///< largest deviation of a whole table or a significant stratum, in resolution steps

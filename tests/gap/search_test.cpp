@@ -21,10 +21,11 @@ using test_support::SmallWorld;
 
 class Search : public testing::Test {
  protected:
-  void measure(const SmallWorld::Effects& truth, const std::map<std::string, double>& offset_m = {},
-               const std::map<std::string, double>& sensor = {}) {
+  void measure(SmallWorld::Effects truth, const std::map<std::string, double>& offset_m = {},
+               const std::map<std::string, double>& sensor = {}, const SmallWorld::Effects& known = {}) {
+    truth.insert(known.begin(), known.end());
     measured_ = world_.measuredBy(SmallWorld::modelWith(truth, sensor), 0.4, offset_m);
-    replay_.emplace(measured_, SmallWorld::modelWith({}, sensor));
+    replay_.emplace(measured_, SmallWorld::modelWith(known, sensor));
     split_ = gap::splitOf(*replay_, 1);
   }
   /// Nothing is missing but that the wall stands elsewhere in all samples.
@@ -176,6 +177,21 @@ TEST_F(Search, KeepsWhatTheMapSuggestsWhereTheSamplesLookedAtShowNothing) {
 }
 
 // Beams are 1° apart.
+// Few samples show it: in one a wall stands near a pane, in the others any dead time of the range that is searched does
+// nothing. The number that all samples suggest is as good as the middle of that range, and right.
+TEST_F(Search, KeepsTheOneNumberThatTheMapSuggestsWhereTheSamplesLookedAtShowNothing) {
+  world_.behindAPane(5.0);
+  measure({{"dead-time", {{"dead_time_ns", 70.0}}}}, {}, {}, {{"transmission", nlohmann::json::object()}});
+  const gap::WhereResult where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  const gap::Hypothesis dead_time = effect("dead-time");
+  gap::Evidence far = split_.fitted;
+  std::erase_if(far.samples, [&](std::size_t s) { return replay_->samples()[s].sample->id != "r46"; });
+  ASSERT_FALSE(far.samples.empty());
+  const auto starts = gap::startsFrom(*replay_, dead_time, where);
+  ASSERT_EQ(starts.size(), 1U);
+  EXPECT_EQ(gap::scout(*replay_, dead_time, far, starts, core::SilentProgress()).values, starts.front());
+}
+
 TEST_F(Search, SeesToABeamWhereASectorEnds) {
   measure({{"cover-contamination", {{"attenuation", 0.05}, {"azimuth_from_deg", -8.4}, {"azimuth_to_deg", 4.4}}}});
   const auto sectors = gap::whereIn(*replay_, replay_->baseline(), 1).sectors;
