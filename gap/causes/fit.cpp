@@ -86,11 +86,13 @@ Scouted scoutSetups(const Replay& replay, const Hypothesis& hypothesis, const Ev
   return scouted;
 }
 
-std::vector<double> fitSetups(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
-                              std::vector<double> values, const core::Progress& progress) {
+/// The values of every set-up after a search of its own.
+template <typename Search>
+std::vector<double> setupBySetup(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                 std::vector<double> values, const Search& search) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Evidence own = onSetup(replay, evidence, hypothesis.parameters[i].name);
-    if (!own.samples.empty()) values[i] = fitFrom(replay, alone(hypothesis, i), own, {values[i]}, progress)[0];
+    if (!own.samples.empty()) values[i] = search(alone(hypothesis, i), own, std::vector<double>{values[i]})[0];
   }
   return values;
 }
@@ -122,7 +124,11 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
 
 std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                            const std::vector<double>& values, const core::Progress& progress) {
-  if (hypothesis.per_setup || values.empty()) return values;
+  if (values.empty()) return values;
+  if (hypothesis.per_setup)
+    return setupBySetup(replay, hypothesis, evidence, values, [&](const auto& one, const auto& own, const auto& start) {
+      return refine(replay, one, own, start, progress);
+    });
   const Objective objective(replay, hypothesis, evidence, progress);
   return searched(objective, objective.unitOf(values), kFine);
 }
@@ -130,7 +136,10 @@ std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, c
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                             const std::vector<double>& start, const core::Progress& progress) {
   if (start.empty()) return start;
-  if (hypothesis.per_setup) return fitSetups(replay, hypothesis, evidence, start, progress);
+  if (hypothesis.per_setup)
+    return setupBySetup(replay, hypothesis, evidence, start, [&](const auto& one, const auto& own, const auto& from) {
+      return fitFrom(replay, one, own, from, progress);
+    });
   const Objective objective(replay, hypothesis, evidence, progress);
   return searched(objective, objective.unitOf(start), kNear);
 }

@@ -119,6 +119,10 @@ std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, s
 /// may have ended between two of the few), and in the valley that two numbers make.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
                               const Valleys* valleys, const core::Progress& progress) {
+  if (candidate.hypothesis.per_setup) {
+    const Evidence of_beams = splitByBeams(judge.replay, judge.split.fitted.seed).refined;
+    return refine(judge.replay, candidate.hypothesis, of_beams, candidate.values, progress);
+  }
   const Evidence& evidence = judge.split.refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
     return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);

@@ -231,6 +231,27 @@ void chooseLeader(const Judge& quick, const Judge& exact, const HeldOutGaps& gap
   leadByPlainest(quick, exact, pairs, addedBySecond(singles.front(), pairs));
 }
 
+/// Who asks pairs whether their second causes earn their place, one of so many causes. `room`: the rest shows that
+/// there may be one.
+struct Asked {
+  const Judge& quick;
+  const Judge& exact;
+  const HeldOutGaps& gaps;
+  bool room;
+  std::size_t causes;
+
+  /// What comes nearest may only scatter as the rest of the first cause does, and leave what another one takes.
+  [[nodiscard]] std::span<Candidate>::iterator firstThatEarns(std::span<Candidate> pairs, const Candidate& single,
+                                                              double left_by_single) const {
+    SecondProofs proofs(exact, single, causes);
+    return std::find_if(pairs.begin(), pairs.end(), [&](const Candidate& pair) {
+      if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || restOfWholeGap(gaps, pair) > kMostRestOfPair)
+        return false;
+      return (room && earnsItsSecond(quick, exact, single, left_by_single, pair)) || proofs.of(pair);
+    });
+  }
+};
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
@@ -252,15 +273,16 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   for (const Candidate& pair : heard) takeTheLead(betterMember(exact, gaps, pair), decision.singles);
   const Candidate& best = decision.singles.front();
   const bool still_first = formOf(best.hypothesis) == formOf(first.hypothesis) && best.values == first.values;
-  const double left_by_best = still_first ? left_by_first : restOf(exact, best);
-  SecondProofs proofs(exact, best, decision.singles.size());
-  const auto earns = [&](const Candidate& pair) {
-    if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || restOfWholeGap(gaps, pair) > kMostRestOfPair)
-      return false;
-    return (room && earnsItsSecond(quick, exact, best, left_by_best, pair)) || proofs.of(pair);
-  };
-  // What comes nearest may only scatter as the rest of the first cause does, and leave what another one takes.
-  const auto earning = std::find_if(heard.begin(), heard.end(), earns);
+  const Asked asked{quick, exact, gaps, room, decision.singles.size()};
+  auto earning = asked.firstThatEarns(heard, best, still_first ? left_by_first : restOf(exact, best));
+  if (earning == heard.end()) {
+    // A cause of many numbers may come as near as a plainer one with a second beside it (a cloud, as fog beside dirt).
+    std::vector<Candidate> by_price = decision.singles;
+    leadByPlainest(quick, exact, by_price);
+    const Candidate& plainest = by_price.front();
+    if (plainest.hypothesis.name != best.hypothesis.name)
+      earning = asked.firstThatEarns(heard, plainest, restOf(exact, plainest));
+  }
   if (earning == heard.end()) return false;
   std::rotate(heard.begin(), earning, earning + 1);
   leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));

@@ -36,12 +36,18 @@ double numbersSaid(const Candidate& cause) {
   return std::max(cause.values.empty() ? 0.0 : 1.0, numbers);
 }
 
-/// What a cause takes to say what it says, in nats: its numbers, and the choice of a form other than its usual one
-/// among all of them; of a pair that of each member.
+/// In how many ways so many can be chosen, as a logarithm.
+double logChoices(double of, double chosen) {
+  return std::lgamma(of + 1.0) - std::lgamma(chosen + 1.0) - std::lgamma(of - chosen + 1.0);
+}
+
+/// What a cause takes to say what it says, in nats: its numbers, which of them are at work, and
+/// the choice of a form other than its usual one among all of them; of a pair that of each member.
 double priceOf(const Candidate& candidate) {
   double price = 0.0;
   for (const Candidate& member : membersOf(candidate)) {
-    price += Judge::kNatsPerNumber * numbersSaid(member);
+    const double said = numbersSaid(member);
+    price += Judge::kNatsPerNumber * said + logChoices(static_cast<double>(member.values.size()), said);
     if (!member.hypothesis.variant.empty()) price += std::log(static_cast<double>(formsOf(member.hypothesis)));
   }
   return price;

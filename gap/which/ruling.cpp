@@ -23,6 +23,10 @@ struct PartDeviations {
   }
   /// Whether it is so much larger in one part that what acts in the other is hardly what makes it.
   [[nodiscard]] bool mostlyInOnePart() const { return most() >= Yardstick::kClear_z && least() < most() / kFarClearer; }
+  /// Whether it is beyond doubt in the fitted part, and much larger there than another.
+  [[nodiscard]] bool farMoreOfFittedThan(const PartDeviations& other) const {
+    return fitted_z >= Yardstick::kClear_z && other.fitted_z < fitted_z / kMuchClearer;
+  }
 
  private:
   [[nodiscard]] double least() const { return std::min(held_out_z, fitted_z); }
@@ -46,18 +50,23 @@ bool holdsDetections(const Replay& replay, const Evidence& evidence) {
 }
 
 bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& decision) {
-  if (judge.split.weak || decision.singles.empty() || decision.pair()) return false;
+  if (judge.split.weak || decision.singles.empty()) return false;
   if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
   const auto leftBy = [&](const Candidate& cause) {
     return PartDeviations{restOf(judge, cause), restOf(on_fitted, cause)};
   };
-  const PartDeviations left = leftBy(decision.singles.front());
-  if (left.inOnePartOnly()) return true;
-  if (decision.winner) return false;
+  const PartDeviations left = leftBy(decision.winner ? *decision.winner : decision.singles.front());
+  if (!decision.pair() && left.inOnePartOnly()) return true;
   // What brings the fitted samples nearest may be a recalibration that hides a cause, wherever the cause acts.
-  return left.mostlyInOnePart() || leftBy(nearestToFitted(quick, decision.singles)).inOnePartOnly();
+  const auto nearest = [&](const std::vector<Candidate>& candidates) {
+    return leftBy(nearestToFitted(quick, candidates));
+  };
+  if (!decision.winner) return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly();
+  // What acts where hardly anything is held out shows in the fitted samples alone: another cause is far nearer there.
+  return left.farMoreOfFittedThan(nearest(decision.singles)) ||
+         (!decision.pairs.empty() && left.farMoreOfFittedThan(nearest(decision.pairs)));
 }
 
 /// Whether held-out samples differ by more than chance though no cause was found that makes them: what acts there alone

@@ -373,6 +373,20 @@ TEST(Diagnose, NamesTheEffectOfAHeldOutSampleThoughTheOthersKeepARest) {
   EXPECT_TRUE(diagnosis.weak_hold_out);
 }
 
+// The aperture shows on the nearest wall alone, which is fitted; what the held-out ones keep besides, lost detections
+// that the library lacks, is a gap beyond doubt as well, but a small one.
+TEST(Diagnose, NamesTheEffectOfAFittedSampleThoughTheHeldOutOnesKeepARest) {
+  const auto narrow = SmallWorld::narrowView();
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.054}}},
+                                            {"atmospheric-attenuation", {{"visibility_m", 800.0}}},
+                                            {"detection-loss", {{"probability", 0.06}}}},
+                                           narrow);
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}, narrow),
+                                             {"aperture-offset", "atmospheric-attenuation"});
+  EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("aperture-offset", "atmospheric-attenuation"));
+}
+
 // 50.3 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
 // of all held-out cells that is no gap beyond doubt, and no even search of the others leads there.
 TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {

@@ -144,4 +144,26 @@ TEST_F(Rivals, WhatTheValuesShowHasNone) {
   EXPECT_TRUE(gap::rivalsOf(judge_, judge_, {shown, haze_}).empty());
 }
 
+// A jitter may be one of the duration, of the power, or of both. Where that of the power is the graininess of the
+// light, which says one number and could say no other, it has chosen among its mechanisms.
+TEST(RivalsAlone, OfOneNumberEachLeadsTheOneThatHasNoOtherToSay) {
+  const SmallWorld world;
+  const model::Experiment measured = world.measuredBy(SmallWorld::modelWith({{"speckle", {{"looks", 100.0}}}}), 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Split split = gap::splitOf(replay, 1);
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  const auto hypotheses = gap::hypothesesFor(replay, {"pulse-jitter", "speckle"});
+  std::vector<gap::Candidate> candidates;
+  for (const auto& [name, values] :
+       std::map<std::string, std::vector<double>>{{"pulse-jitter", {0.0, 0.1}}, {"speckle", {100.0}}}) {
+    candidates.push_back({.hypothesis = test_support::hypothesisNamed(hypotheses, name), .values = values});
+    judge.hear(candidates.back());
+    candidates.back().merit = 1.0;
+  }
+  ASSERT_EQ(candidates.front().hypothesis.name, "pulse-jitter");
+  ASSERT_EQ(candidates.front().hypothesis.parameters.size(), 2U);
+  gap::leadByPlainest(judge, judge, candidates);
+  EXPECT_EQ(candidates.front().hypothesis.name, "speckle");
+}
+
 }  // namespace
