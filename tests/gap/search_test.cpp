@@ -177,7 +177,7 @@ TEST_F(Search, KeepsWhatTheMapSuggestsWhereTheSamplesLookedAtShowNothing) {
 }
 
 // Beams are 1° apart.
-// Few beams led to values that are 6 cm off. Ranges have steps of 1 cm.
+// Few beams led to values that are 2 cm off. Ranges have steps of 1 cm.
 TEST_F(Search, RefinesTheOffsetOfEverySetUpByItself) {
   const std::map<std::string, double> offset_m = {{"r8", 0.06}, {"r13", -0.05}, {"r19", 0.0}, {"r27", 0.1}};
   measure({}, offset_m);
@@ -185,7 +185,7 @@ TEST_F(Search, RefinesTheOffsetOfEverySetUpByItself) {
                                                                "/scene/0/pose/position_m/0", "per set-up");
   std::vector<double> found;
   for (const gap::FreeParameter& setup : setups.parameters)
-    found.push_back(offset_m.contains(setup.name) ? offset_m.at(setup.name) + 0.06 : 0.0);
+    found.push_back(offset_m.contains(setup.name) ? offset_m.at(setup.name) + 0.02 : 0.0);
   found = gap::refine(*replay_, setups, gap::splitByBeams(*replay_, 1).refined, found, core::SilentProgress());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto& name = setups.parameters[i].name;
