@@ -115,7 +115,7 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
   for (const FreeParameter& parameter : hypothesis.parameters) typical.push_back(parameter.start);
   all.push_back(typical);
   const Point best = coarseSearch(objective, all);
-  if (objective.dimensions() == 1 && !starts.empty()) {
+  if (objective.dimensions() == 1 && !starts.empty()) {  // a line search takes the middle of what is equally good
     const double at_start = objective(objective.unitOf(starts.front()));
     if (at_start <= best.discrepancy) return {starts.front(), gain(at_start)};
   }

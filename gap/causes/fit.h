@@ -36,7 +36,8 @@ struct Scouted {
 /// Some values spread evenly over the plausible range of a hypothesis; none if it has no free number.
 [[nodiscard]] std::vector<std::vector<double>> valuesAllOver(const Hypothesis& hypothesis);
 
-/// Searches the neighbourhood of values that are nearly right, on all frames that the evidence allows.
+/// Searches the neighbourhood of values that are nearly right, on all frames that the evidence allows; of parameters
+/// per set-up one by one.
 [[nodiscard]] std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                          const std::vector<double>& values, const core::Progress& progress);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "gap/where/end_of_loss.h"
 
@@ -16,12 +18,12 @@ struct ExpectedEcho {
   double there;  ///< over the frames
 };
 
-/// The echoes of each beam of each sample, by range. What is expected of a beam itself (behind a pane) is taken for one
-/// place.
-std::map<std::pair<std::size_t, std::uint32_t>, std::vector<ExpectedEcho>> expectedIn(const Replay& replay,
-                                                                                      const ResidualTable& missing,
-                                                                                      const CellsOfSamples& expected) {
-  std::map<std::pair<std::size_t, std::uint32_t>, std::vector<ExpectedEcho>> beams;
+using BeamOfSample = std::pair<std::size_t, std::uint32_t>;
+
+/// The echoes of each beam, by range. What is expected of a beam itself (behind a pane) is taken for one place.
+std::map<BeamOfSample, std::vector<ExpectedEcho>> expectedIn(const Replay& replay, const ResidualTable& missing,
+                                                             const CellsOfSamples& expected) {
+  std::map<BeamOfSample, std::vector<ExpectedEcho>> beams;
   for (const ResidualTable::Row& row : missing.rows) {
     const CellStatistics& statistics = expected[row.sample][row.cell];
     if (statistics.count == 0.0) continue;

@@ -119,7 +119,7 @@ std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, s
 /// may have ended between two of the few), and in the valley that two numbers make.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
                               const Valleys* valleys, const core::Progress& progress) {
-  if (candidate.hypothesis.per_setup) {
+  if (candidate.hypothesis.per_setup) {  // half of the beams of all set-ups, as they were fitted
     const Evidence of_beams = splitByBeams(judge.replay, judge.split.fitted.seed).refined;
     return refine(judge.replay, candidate.hypothesis, of_beams, candidate.values, progress);
   }
