@@ -34,8 +34,8 @@ constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement
 /// Offsets of set-ups cannot be carried over to other set-ups: half of every set-up's beams fit, also of those that are
 /// held out; all of these judge, and the price of every number makes up for what it gains on beams that it was fitted
 /// to.
-Evidence fittedFor(const Judge& judge, const Hypothesis& hypothesis) {
-  return hypothesis.per_setup ? splitByBeams(judge.replay, judge.split.fitted.seed).fitted : judge.split.fitted;
+Split splitFor(const Judge& judge, const Hypothesis& hypothesis) {
+  return hypothesis.per_setup ? splitByBeams(judge.replay, judge.split.fitted.seed) : judge.split;
 }
 
 /// Which hypotheses a coarse search leaves in the race: the best ones, and all that are not far behind.
@@ -77,7 +77,7 @@ std::vector<double> nearestStart(const Replay& replay, const Hypothesis& hypothe
 /// fitted samples leave open (a gate opens somewhere between two walls), the map, which all samples made, tells.
 std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, const std::vector<double>& scouted,
                              const WhereResult& where, const core::Progress& progress) {
-  const Evidence evidence = fittedFor(judge, hypothesis);
+  const Evidence evidence = splitFor(judge, hypothesis).fitted;
   const auto fit = [&](const std::vector<double>& start) {
     return fitFrom(judge.replay, hypothesis, evidence, start, progress);
   };
@@ -97,7 +97,7 @@ std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, c
 /// The values with every number that does less than it costs put where it does nothing: an effect of several mechanisms
 /// says no more than it must.
 std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, std::vector<double> values) {
-  if (values.size() < 2 || hypothesis.per_setup) return values;
+  if (values.size() < 2) return values;
   const auto distance = [&](const std::vector<double>& at) {
     return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, at), judge.split.refined);
   };
@@ -119,16 +119,12 @@ std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, s
 /// may have ended between two of the few), and in the valley that two numbers make.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
                               const Valleys* valleys, const core::Progress& progress) {
-  if (candidate.hypothesis.per_setup) {  // half of the beams of all set-ups, as they were fitted
-    const Evidence of_beams = splitByBeams(judge.replay, judge.split.fitted.seed).refined;
-    return refine(judge.replay, candidate.hypothesis, of_beams, candidate.values, progress);
-  }
-  const Evidence& evidence = judge.split.refined;
+  const Evidence evidence = splitFor(judge, candidate.hypothesis).refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
     return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
   };
   std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
-  if (!candidate.hypothesis.members.empty()) return refined;
+  if (!candidate.hypothesis.members.empty() || candidate.hypothesis.per_setup) return refined;
   const auto refineFrom = [&](const std::vector<double>& start) {
     std::vector<double> other = refine(judge.replay, candidate.hypothesis, evidence, start, progress);
     if (distance(other, evidence) < distance(refined, evidence)) refined = std::move(other);
@@ -249,8 +245,8 @@ std::vector<Candidate> fitted(const Judge& judge, const std::vector<Hypothesis>&
     std::vector<Scouted> scouted(some.size());
     core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
       const Replay& replay = some[h].kind == CauseKind::kReference ? few : judge.replay;
-      scouted[h] =
-          scout(replay, some[h], fittedFor(judge, some[h]), startsFrom(judge.replay, some[h], where), progress, known);
+      scouted[h] = scout(replay, some[h], splitFor(judge, some[h]).fitted, startsFrom(judge.replay, some[h], where),
+                         progress, known);
       report("tried ", some[h]);
     });
     return scouted;

@@ -23,9 +23,9 @@ struct PartDeviations {
   }
   /// Whether it is so much larger in one part that what acts in the other is hardly what makes it.
   [[nodiscard]] bool mostlyInOnePart() const { return most() >= Yardstick::kClear_z && least() < most() / kFarClearer; }
-  /// Whether it is beyond doubt in the fitted part, and much larger there than another.
+  /// Whether it is much larger in the fitted part than another.
   [[nodiscard]] bool farMoreOfFittedThan(const PartDeviations& other) const {
-    return fitted_z >= Yardstick::kClear_z && other.fitted_z < fitted_z / kMuchClearer;
+    return other.fitted_z < fitted_z / kMuchClearer;
   }
 
  private:
@@ -65,6 +65,7 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   };
   if (!decision.winner) return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly();
   // What acts where hardly anything is held out shows in the fitted samples alone: another cause is far nearer there.
+  if (left.fitted_z < Yardstick::kClear_z) return false;
   return left.farMoreOfFittedThan(nearest(decision.singles)) ||
          (!decision.pairs.empty() && left.farMoreOfFittedThan(nearest(decision.pairs)));
 }
