@@ -14,6 +14,7 @@
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
 #include "gap/which/ruling.h"
+#include "gap/which/uneven_loss.h"
 #include "gap/which/whole_gap.h"
 #include "model/external/external_runs.h"
 
@@ -105,8 +106,15 @@ void heedFrames(const Judge& judge, const std::optional<FrameMode>& frames, Deci
   if (convincing && frames->share_of_gap < kMostOfTheGap &&
       !explainsTheirMean(judge, *frames, winnersWorld(judge.replay, decision)))
     return;
-  decision.nameNothing();
-  decision.frames_move = true;
+  decision.nameNothing(Contradiction::kFramesMove);
+}
+
+/// What is lost in some beams and not in others is lost by no cause that takes from every shot alike.
+std::optional<UnevenLoss> heedLosses(const Judge& judge, Decision& decision) {
+  if (!decision.winner) return std::nullopt;
+  std::optional<UnevenLoss> loss = unevenLossIn(judge, *decision.winner);
+  if (loss) decision.nameNothing(Contradiction::kLossesUneven);
+  return loss;
 }
 
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
@@ -240,6 +248,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.weak_hold_out = exact.split.weak;
   const std::optional<FrameMode> frames = frameModeOf(exact);
   heedFrames(exact, frames, decision);
+  const std::optional<UnevenLoss> uneven_loss = heedLosses(exact, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
@@ -260,6 +269,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.notes = notesOn(replay, strayIn(decision));
   if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
+  if (uneven_loss) diagnosis.notes.insert(diagnosis.notes.begin(), unevenLossSentence(*uneven_loss));
   if (const std::string note = options.without.note(); !note.empty()) diagnosis.notes.push_back(note);
   diagnosis.verdict.text = verdictSentence(diagnosis);
   diagnosis.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

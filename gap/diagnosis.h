@@ -64,7 +64,7 @@ struct Verdict {
   VerdictEvidence evidence;
   /// Numbers and references that were fitted together with the effects named: part of the shrink is theirs.
   std::vector<std::string> beside;
-  bool frames_move = false;  ///< `unknown`, for all detections of a frame deviate together and no cause does that
+  Contradiction contradiction = Contradiction::kNone;  ///< why it is `unknown`, whatever the nearest cause explains
   std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;
 };

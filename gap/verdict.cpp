@@ -144,7 +144,7 @@ Stray strayIn(const Decision& decision) {
 void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagnosis) {
   Verdict& verdict = diagnosis.verdict;
   verdict.kind = decision.kind;
-  verdict.frames_move = decision.frames_move;
+  verdict.contradiction = decision.contradiction;
   diagnosis.present = decision.kind != VerdictKind::kNone;
   if (decision.winner) {
     verdict.names = decision.names();

@@ -242,7 +242,14 @@ std::string findingSentence(const Diagnosis& diagnosis) {
       return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
                          ties);
     case VerdictKind::kUnknown:
-      if (diagnosis.verdict.frames_move) {
+      if (diagnosis.verdict.contradiction == Contradiction::kLossesUneven) {
+        return fmt::format(
+            "They differ in what is lost {}: some beams lose many echoes and others none, which no cause that was "
+            "tried "
+            "does.",
+            sure);
+      }
+      if (diagnosis.verdict.contradiction == Contradiction::kFramesMove) {
         return fmt::format(
             "They differ from frame to frame {}: all detections of a frame deviate together, which no cause that was "
             "tried does.",
@@ -289,7 +296,12 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
     case VerdictKind::kReference:
       return fmt::format("The sensor model is not to blame: the reference data are wrong, namely the {}.", causes);
     case VerdictKind::kUnknown:
-      if (diagnosis.verdict.frames_move) {
+      if (diagnosis.verdict.contradiction == Contradiction::kLossesUneven) {
+        return "Measurement and simulation differ in the echoes that are lost: many in some directions and few in "
+               "others, "
+               "which none of the causes that were tried does.";
+      }
+      if (diagnosis.verdict.contradiction == Contradiction::kFramesMove) {
         return "Measurement and simulation differ from frame to frame: all detections of a frame deviate together, "
                "which none of the causes that were tried does.";
       }
@@ -346,6 +358,15 @@ std::string frameModeSentence(const FrameMode& mode) {
       "of a sample do not repeat each other. No cause that was tried does that; look for what moves, drifts or "
       "alternates between frames.",
       measurandTitle(nameOf(mode.channel)), mode.stddev, mode.channel == kIntensity ? "nW" : "m");
+}
+
+std::string unevenLossSentence(const UnevenLoss& loss) {
+  return fmt::format(
+      "Echoes are lost unevenly: {} on average of {} beams, with a standard deviation of {} from beam to beam beyond "
+      "chance, and {} of the beams lose less than half of that. No cause that was tried does that; look for what loses "
+      "echoes in "
+      "some directions only.",
+      percent(loss.mean), loss.beams, percent(loss.stddev), percent(loss.unhurt));
 }
 
 std::string nextExperimentSentence(const NextExperiment& next) {

@@ -7,6 +7,7 @@
 #include "gap/diagnosis.h"
 #include "gap/report/quantities.h"
 #include "gap/which/frame_mode.h"
+#include "gap/which/uneven_loss.h"
 
 namespace gap {
 
@@ -36,6 +37,7 @@ struct PartedRows {
 /// Where the model as it is run shows another shrink; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
+[[nodiscard]] std::string unevenLossSentence(const UnevenLoss& loss);
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next);
 
 /// "echo pulse width" for "epw".

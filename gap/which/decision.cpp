@@ -381,7 +381,8 @@ void Decision::name(const Candidate& candidate) {
   kind = kindOf(membersOf(*winner).front().hypothesis.kind);
 }
 
-void Decision::nameNothing() {
+void Decision::nameNothing(Contradiction why) {
+  contradiction = why;
   winner.reset();
   rivals.clear();
   kind = VerdictKind::kUnknown;

@@ -14,6 +14,9 @@ namespace gap {
 enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 [[nodiscard]] std::string toString(VerdictKind kind);
 
+/// What the data show that no cause that was tried does, so that none is named however much it explains.
+enum class Contradiction { kNone, kFramesMove, kLossesUneven };
+
 /// What the search for causes ended with.
 struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
@@ -21,8 +24,8 @@ struct Decision {
   std::vector<Candidate> singles;   ///< best first
   std::vector<Candidate> pairs;     ///< those that were tried, best first
   std::vector<Rival> rivals;        ///< that come near to a single winner, or to one of a pair that is named
-  bool frames_move = false;         ///< all detections of a frame deviate together, which speaks against every cause
-  double p_value = 1.0;             ///< of the gain that proved a cause where no gap is clear, times their number
+  Contradiction contradiction = Contradiction::kNone;
+  double p_value = 1.0;  ///< of the gain that proved a cause where no gap is clear, times their number
 
   /// Causes that the data cannot tell from a single winner, or from one of a pair.
   [[nodiscard]] std::vector<std::string> ties() const;
@@ -30,7 +33,7 @@ struct Decision {
   /// Makes a candidate the winner.
   void name(const Candidate& candidate);
   /// None is named; there is a gap, and what it comes from is unknown.
-  void nameNothing();
+  void nameNothing(Contradiction why = Contradiction::kNone);
   /// Which causes the verdict names: a parameter or a reference beside an effect is a recalibration and not named.
   [[nodiscard]] std::vector<std::string> names() const;
   /// The members of a pair that it does not name.

@@ -30,7 +30,8 @@ EffectEntry detectionLoss() {
                    .percollect = {"0", "39"},
                    .parameters = {{"probability", "", 0.0, 1.0, 0.0, "Probability of losing an echo", false, 0.05}},
                    .fitted = {"probability"},
-                   .source = "Bernoulli trials"},
+                   .source = "Bernoulli trials",
+                   .every_shot_alike = true},
           .make = makeFrom<DetectionLoss>};
 }
 

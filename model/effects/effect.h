@@ -66,6 +66,7 @@ struct EffectInfo {
   std::string source;                   ///< literature
   bool moves_geometry = false;          ///< changes which rays are traced
   std::vector<std::string> power_only;  ///< parameters that change what traced rays carry, not where they go
+  bool every_shot_alike = false;        ///< takes echoes from all shots with one probability, wherever they go
 };
 
 /// The values given in a model file.

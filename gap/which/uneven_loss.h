@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "gap/which/candidates.h"
+
+namespace gap {
+
+/// How a measurement's losses vary from beam to beam, where a cause says that every shot is alike.
+struct UnevenLoss {
+  double mean = 0.0;     ///< share of the echoes that the cause loses, of strong echoes off edges
+  double stddev = 0.0;   ///< of what the beams' shares deviate from the cause's, beyond chance
+  double unhurt = 0.0;   ///< share of the beams that lose less than half of the mean
+  std::size_t beams = 0;
+  double z = 0.0;        ///< of the variance between beams above that of chance, in standard deviations
+};
+
+/// Looks at strong echoes off edges only: these get lost by nothing else, and two programs agree on them. Losses of one
+/// beam are counted over all frames and samples. Nothing if no member of the cause takes echoes from all shots alike
+/// (model::EffectInfo::every_shot_alike), or if they vary by less than half of their mean, or not beyond doubt.
+///
+/// The variance between beams beyond that of Bernoulli trials is found by the method of moments, as in tests of
+/// overdispersion (Cochran 1954, Some methods for strengthening the common χ² tests, Biometrics 10, 417, section 4:
+/// the index of dispersion).
+[[nodiscard]] std::optional<UnevenLoss> unevenLossIn(const Judge& judge, const Candidate& cause);
+
+}  // namespace gap
