@@ -31,10 +31,10 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
   double shots = 0.0, more = 0.0;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
-    shots += sample.frames * static_cast<double>(sample.beams.size());
-    for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {
-      if (!sample.layout->cells()[c].at_edge)
-        more += sample.statistics[c].count - expected[s][c].count * sample.frames / frames[s];
+    for (std::size_t c = sample.layout->surfaces(); c < sample.statistics.size(); ++c) {  // one for each beam
+      if (sample.layout->cells()[c].at_edge) continue;
+      shots += sample.frames;
+      more += sample.statistics[c].count - expected[s][c].count * sample.frames / frames[s];
     }
   }
   return shots > 0.0 ? std::max(0.0, more / shots) : 0.0;

@@ -115,6 +115,17 @@ std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, s
   return values;
 }
 
+/// Rare echoes show in all beams only, and a few drawn ones more or less lead a search astray: where the map, which saw
+/// all beams, suggests one place (the rate that was counted) and that leaves less of all that is fitted, it is taken.
+std::vector<double> orAsCounted(const Judge& exact, const Hypothesis& hypothesis, std::vector<double> values,
+                                const WhereResult& where) {
+  auto starts = startsFrom(exact.replay, hypothesis, where);
+  if (starts.size() != 1 || starts.front() == values) return values;
+  const double known = exact.leftOfFitted(hypothesis, values);
+  const bool nearer = exact.leftOfFitted(hypothesis, starts.front()) < known - Judge::kNatsPerNumber;
+  return nearer ? std::move(starts.front()) : values;
+}
+
 /// The best of three searches: around the values that few beams led to, around what the residual map suggests (a sector
 /// may have ended between two of the few), and in the valley that two numbers make.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
@@ -137,6 +148,7 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   const std::vector<double> suggested =
       nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
   if (!suggested.empty()) refineFrom(suggested);
+  refined = orAsCounted(judge, candidate.hypothesis, std::move(refined), where);
   return simplest(judge, candidate.hypothesis, std::move(refined));
 }
 
@@ -280,6 +292,19 @@ std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& h
   });
   sortByMerit(candidates);
   return candidates;
+}
+
+void takeWhatIsCounted(const Judge& exact, const WhereResult& where, std::vector<Candidate>& candidates,
+                       const core::Progress& progress) {
+  core::parallelFor(candidates.size(), 1, [&](std::size_t c, std::size_t) {
+    Candidate& candidate = candidates[c];
+    core::stopIfCancelled(progress);
+    std::vector<double> counted = orAsCounted(exact, candidate.hypothesis, candidate.values, where);
+    if (counted == candidate.values) return;
+    candidate.values = std::move(counted);
+    exact.hear(candidate);
+  });
+  sortByMerit(candidates);
 }
 
 void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,

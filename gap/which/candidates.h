@@ -84,6 +84,11 @@ struct Judge {
 [[nodiscard]] std::vector<Candidate> rank(const Judge& judge, const std::vector<Hypothesis>& hypotheses,
                                           const WhereResult& where, core::Progress& progress);
 
+/// The values that all beams suggest, where few beams led astray (the rate of rare echoes is counted); best merit
+/// first.
+void takeWhatIsCounted(const Judge& exact, const WhereResult& where, std::vector<Candidate>& candidates,
+                       const core::Progress& progress);
+
 /// Fits the leaders again with more frames and beams, from where they are and from what the residual map suggests, and
 /// judges them again, by what they leave of the total gap as well; the leaders come first, by merit, and so do the
 /// rest.

@@ -95,6 +95,7 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
     });
   };
   withoutErrors();
+  takeWhatIsCounted(exact, where, singles, progress);
   polish(exact, gaps, singles, where, progress);
   if (withoutErrors() > 0) polish(exact, gaps, singles, where, progress);  // better values may be within what is known
   return singles;

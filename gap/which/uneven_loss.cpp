@@ -14,9 +14,9 @@ namespace gap {
 
 namespace {
 
-constexpr double kStrong = 3.0;       // times the threshold: no noise and no other program's model loses such an echo
-constexpr double kUneven = 0.5;       // of the mean loss: what programs differ by stays below
-constexpr double kStandsOut = 6.0;    // standard deviations, as of frames that do not repeat each other
+constexpr double kStrong = 3.0;     // times the threshold: no noise and no other program's model loses such an echo
+constexpr double kUneven = 0.5;     // of the mean loss: what programs differ by stays below
+constexpr double kStandsOut = 6.0;  // standard deviations, as of frames that do not repeat each other
 constexpr double kFewestBeams = 30.0;
 constexpr double kMostLost = 4.0;  // of what is expected of a beam, and so many more: single beams of which programs
                                    // differ lose everything and prove nothing
@@ -93,10 +93,13 @@ std::optional<UnevenLoss> unevenLossIn(const Judge& judge, const Candidate& caus
   loss.mean = lost / shots;
   loss.stddev = std::sqrt(std::max(0.0, beyond_chance / squared_shots));
   loss.z = (index - count) / std::sqrt(2.0 * count);
-  loss.unhurt = static_cast<double>(std::count_if(beams.begin(), beams.end(), [&](const auto& beam) {
-                  const Echoes& echoes = beam.second;
-                  return echoes.shots - echoes.measured < 0.5 * loss.mean * echoes.shots;
-                })) / count;
+  loss.unhurt =
+      static_cast<double>(std::count_if(beams.begin(), beams.end(),
+                                        [&](const auto& beam) {
+                                          const Echoes& echoes = beam.second;
+                                          return echoes.shots - echoes.measured < 0.5 * loss.mean * echoes.shots;
+                                        })) /
+      count;
   if (loss.z < kStandsOut || loss.stddev < kUneven * loss.mean) return std::nullopt;
   return loss;
 }

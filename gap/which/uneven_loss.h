@@ -8,11 +8,11 @@ namespace gap {
 
 /// How a measurement's losses vary from beam to beam, where a cause says that every shot is alike.
 struct UnevenLoss {
-  double mean = 0.0;     ///< share of the echoes that the cause loses, of strong echoes off edges
-  double stddev = 0.0;   ///< of what the beams' shares deviate from the cause's, beyond chance
-  double unhurt = 0.0;   ///< share of the beams that lose less than half of the mean
+  double mean = 0.0;    ///< share of the echoes that the cause loses, of strong echoes off edges
+  double stddev = 0.0;  ///< of what the beams' shares deviate from the cause's, beyond chance
+  double unhurt = 0.0;  ///< share of the beams that lose less than half of the mean
   std::size_t beams = 0;
-  double z = 0.0;        ///< of the variance between beams above that of chance, in standard deviations
+  double z = 0.0;  ///< of the variance between beams above that of chance, in standard deviations
 };
 
 /// Looks at strong echoes off edges only: these get lost by nothing else, and two programs agree on them. Losses of one

@@ -89,6 +89,15 @@ TEST_F(Search, BeginsAtTheRateAtWhichFalseEchoesCame) {
   EXPECT_NEAR(of_pulses[0][0] * 2.0 * 150.0 / 299792458.0, starts[0][0], 1e-9);
 }
 
+// What edges do in two programs is no false echo, so beams at edges are no shots either. Of a wall 3 m wide many are.
+TEST_F(Search, CountsFalseEchoesOfTheBeamsThatItLooksAtOnly) {
+  world_.withAWallOf(3.0);
+  measure({{"false-alarm", {{"rate_per_beam", 0.1}}}});
+  const auto where = gap::whereIn(*replay_, replay_->baseline(), 1);
+  const double shots = 6.0 * 20.0 * 4.0 * 37.0;  // without two columns at each edge: with them a tenth would be lost
+  EXPECT_NEAR(where.false_echoes_per_shot, 0.1, 2.5 * std::sqrt(0.1 / shots));
+}
+
 // Within the echo separation, 0.8 m, two echoes are one, and its range lies between them.
 TEST_F(Search, LooksForAFalseTargetOnBothSidesOfTheEchoThatItMayPull) {
   measure({});
