@@ -44,6 +44,11 @@ Judge withoutEdges(Judge judge) {
   return judge;
 }
 
+/// What the baseline deviates.
+PartDeviations gapOf(const Judge& judge) {
+  return {judge.yardstick.z(), yardstickOf(judge.replay, judge.split.fitted).z()};
+}
+
 bool holdsDetections(const Replay& replay, const Evidence& evidence) {
   return std::any_of(evidence.samples.begin(), evidence.samples.end(),
                      [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
@@ -63,7 +68,8 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   const auto nearest = [&](const std::vector<Candidate>& candidates) {
     return leftBy(nearestToFitted(quick, candidates));
   };
-  if (!decision.winner) return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly();
+  if (!decision.winner)
+    return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly() || gapOf(judge).mostlyInOnePart();
   // What acts where hardly anything is held out shows in the fitted samples alone: another cause is far nearer there.
   if (left.fitted_z < Yardstick::kClear_z) return false;
   return left.farMoreOfFittedThan(nearest(decision.singles)) ||
@@ -80,10 +86,8 @@ bool mayHideInHeldOut(const Judge& judge, const Decision& decision) {
 
 Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
   const Split by_samples = without.applied(splitOf(replay, seed));
-  const Yardstick yardstick = yardstickOf(replay, by_samples.held_out);
-  if (PartDeviations{yardstick.z(), yardstickOf(replay, by_samples.fitted).z()}.inOnePartOnly())
-    return judgeByBeams(replay, seed, without);
-  return {replay, by_samples, yardstick};
+  const Judge judge{replay, by_samples, yardstickOf(replay, by_samples.held_out)};
+  return gapOf(judge).inOnePartOnly() ? judgeByBeams(replay, seed, without) : judge;
 }
 
 Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear, const WhereResult& where,

@@ -387,6 +387,20 @@ TEST(Diagnose, NamesTheEffectOfAFittedSampleThoughTheHeldOutOnesKeepARest) {
   EXPECT_THAT(diagnosis.verdict.names, testing::UnorderedElementsAre("aperture-offset", "atmospheric-attenuation"));
 }
 
+// Without the haze the aperture explains nothing that is held out: there the lost detections are the whole gap, which
+// is a small one beside that of the fitted samples.
+TEST(Diagnose, NamesTheEffectOfAFittedSampleThatDoesNothingInTheHeldOutOnes) {
+  const auto narrow = SmallWorld::narrowView();
+  const SmallWorld world;
+  const auto truth = SmallWorld::modelWith(
+      {{"aperture-offset", {{"offset_m", 0.056}}}, {"detection-loss", {{"probability", 0.03}}}}, narrow);
+  const gap::Diagnosis diagnosis = diagnosed(world.measuredBy(truth, 0.4), SmallWorld::modelWith({}, narrow),
+                                             {"aperture-offset", "atmospheric-attenuation"});
+  ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.056, 0.001);
+  EXPECT_TRUE(diagnosis.weak_hold_out);
+}
+
 // 50.3 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
 // of all held-out cells that is no gap beyond doubt, and no even search of the others leads there.
 TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {

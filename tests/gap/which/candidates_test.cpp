@@ -16,8 +16,8 @@ class Counted : public testing::Test {
   /// What becomes of a fit of foreign pulses that ended here, where 4000 of this mean excess come in a second.
   [[nodiscard]] static std::vector<double> after(const std::vector<double>& fitted, double true_excess) {
     const SmallWorld world;
-    const model::Experiment measured = world.measuredBy(
-        SmallWorld::modelWith({{"crosstalk", {{"rate_1_s", 4000.0}, {"excess", true_excess}}}}), 0.4);
+    const model::Experiment measured =
+        world.measuredBy(SmallWorld::modelWith({{"crosstalk", {{"rate_1_s", 4000.0}, {"excess", true_excess}}}}), 0.4);
     const gap::Replay replay(measured, SmallWorld::modelWith({}));
     const gap::Split split = gap::splitOf(replay, 1);
     const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
@@ -34,9 +34,7 @@ class Counted : public testing::Test {
 };
 
 // Four in a thousand shots have such an echo: few beams with luck hardly any, all 19680 shots some 80, give or take 9.
-TEST_F(Counted, ARateReplacesOneThatFewBeamsLedTo) {
-  EXPECT_NEAR(after({300.0, 10.0}, 10.0)[0], 4000.0, 4.0 * 450.0);
-}
+TEST_F(Counted, ARateReplacesOneThatFewBeamsLedTo) { EXPECT_NEAR(after({300.0, 10.0}, 10.0)[0], 4000.0, 4.0 * 450.0); }
 
 // A fit that found how strong they are, too, knows more than their number.
 TEST_F(Counted, ARateLeavesABetterFitAlone) {
