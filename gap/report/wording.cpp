@@ -208,6 +208,24 @@ std::string stratumText(const WhereRow& row) {
 
 namespace {
 
+/// What the data show that no cause does.
+struct Difference {
+  const char* in;
+  const char* what;
+};
+
+std::optional<Difference> differenceIn(Contradiction contradiction) {
+  switch (contradiction) {
+    case Contradiction::kFramesMove:
+      return Difference{"from frame to frame", "all detections of a frame deviate together"};
+    case Contradiction::kLossesUneven:
+      return Difference{"in what is lost", "some beams lose many echoes and others none"};
+    case Contradiction::kNone:
+      break;
+  }
+  return std::nullopt;
+}
+
 std::string findingSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
   constexpr double kHardly = 0.005;  // would be said as 0 %
@@ -242,19 +260,9 @@ std::string findingSentence(const Diagnosis& diagnosis) {
       return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
                          ties);
     case VerdictKind::kUnknown:
-      if (diagnosis.verdict.contradiction == Contradiction::kLossesUneven) {
-        return fmt::format(
-            "They differ in what is lost {}: some beams lose many echoes and others none, which no cause that was "
-            "tried "
-            "does.",
-            sure);
-      }
-      if (diagnosis.verdict.contradiction == Contradiction::kFramesMove) {
-        return fmt::format(
-            "They differ from frame to frame {}: all detections of a frame deviate together, which no cause that was "
-            "tried does.",
-            sure);
-      }
+      if (const auto difference = differenceIn(verdict.contradiction))
+        return fmt::format("They differ {} {}: {}, which no cause that was tried does.", difference->in, sure,
+                           difference->what);
       if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
       if (diagnosis.causes.front().shrink.fraction <= 0.0) {
         return fmt::format(
@@ -296,15 +304,9 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
     case VerdictKind::kReference:
       return fmt::format("The sensor model is not to blame: the reference data are wrong, namely the {}.", causes);
     case VerdictKind::kUnknown:
-      if (diagnosis.verdict.contradiction == Contradiction::kLossesUneven) {
-        return "Measurement and simulation differ in the echoes that are lost: many in some directions and few in "
-               "others, "
-               "which none of the causes that were tried does.";
-      }
-      if (diagnosis.verdict.contradiction == Contradiction::kFramesMove) {
-        return "Measurement and simulation differ from frame to frame: all detections of a frame deviate together, "
-               "which none of the causes that were tried does.";
-      }
+      if (const auto difference = differenceIn(diagnosis.verdict.contradiction))
+        return fmt::format("Measurement and simulation differ {}: {}, which none of the causes that were tried does.",
+                           difference->in, difference->what);
       return "Measurement and simulation differ, and none of the causes that were tried explains it.";
   }
   return "";
@@ -362,10 +364,9 @@ std::string frameModeSentence(const FrameMode& mode) {
 
 std::string unevenLossSentence(const UnevenLoss& loss) {
   return fmt::format(
-      "Echoes are lost unevenly: {} on average of {} beams, with a standard deviation of {} from beam to beam beyond "
-      "chance, and {} of the beams lose less than half of that. No cause that was tried does that; look for what loses "
-      "echoes in "
-      "some directions only.",
+      "Echoes are lost unevenly: {} of them on average, but the {} beams deviate from that by {} (standard deviation, "
+      "beyond chance), and {} of the beams lose less than half as many. No cause that was tried does that; look for "
+      "what loses echoes in some directions only.",
       percent(loss.mean), loss.beams, percent(loss.stddev), percent(loss.unhurt));
 }
 

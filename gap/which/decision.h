@@ -15,7 +15,11 @@ enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 [[nodiscard]] std::string toString(VerdictKind kind);
 
 /// What the data show that no cause that was tried does, so that none is named however much it explains.
-enum class Contradiction { kNone, kFramesMove, kLossesUneven };
+enum class Contradiction {
+  kNone,
+  kFramesMove,   ///< all detections of a frame deviate together (frame_mode.h)
+  kLossesUneven  ///< some beams lose many echoes and others none (uneven_loss.h)
+};
 
 /// What the search for causes ended with.
 struct Decision {
