@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gap/which/significance.h"
+#include "gap/which/whole_gap.h"
 
 namespace gap {
 
@@ -68,12 +69,17 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   const auto nearest = [&](const std::vector<Candidate>& candidates) {
     return leftBy(nearestToFitted(quick, candidates));
   };
-  if (!decision.winner)
-    return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly() || gapOf(judge).mostlyInOnePart();
+  if (!decision.winner) return left.mostlyInOnePart() || nearest(decision.singles).inOnePartOnly();
   // What acts where hardly anything is held out shows in the fitted samples alone: another cause is far nearer there.
   if (left.fitted_z < Yardstick::kClear_z) return false;
   return left.farMoreOfFittedThan(nearest(decision.singles)) ||
          (!decision.pairs.empty() && left.farMoreOfFittedThan(nearest(decision.pairs)));
+}
+
+/// Whether nothing is named though the gap itself is mostly in one part: what is little of it may be how programs
+/// differ.
+bool gapIsInOnePart(const Judge& judge, const Decision& decision) {
+  return !judge.split.weak && !decision.winner && gapOf(judge).mostlyInOnePart();
 }
 
 /// Whether held-out samples differ by more than chance though no cause was found that makes them: what acts there alone
@@ -99,13 +105,14 @@ Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, b
   Ruling by_samples{quick, exact, decided(quick, exact)};
   const bool open =
       clear ? leavesOnePartOnly(quick, exact, by_samples.decision) : mayHideInHeldOut(exact, by_samples.decision);
-  if (!open) return by_samples;
+  const bool doubtful = clear && !open && gapIsInOnePart(exact, by_samples.decision);
+  if (!open && !doubtful) return by_samples;
   progress.report(0.1, "judging by beams: what is left shows in some of the samples only");
   Judge by_beams = judgeByBeams(exact.replay, exact.split.fitted.seed, without);
   by_beams.weight_of_total = exact.weight_of_total;
   const Judge quick_by_beams{quick.replay, by_beams.split, yardstickOf(quick.replay, by_beams.split.held_out)};
   Decision other = decided(quick_by_beams, by_beams);
-  if (!other.winner) return by_samples;
+  if (!other.winner || (doubtful && other.winner->explained < kNearlyAllCells)) return by_samples;
   return {quick_by_beams, by_beams, std::move(other)};
 }
 

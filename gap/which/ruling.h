@@ -21,7 +21,8 @@ struct Ruling {
 /// Decides; where what the best cause alone leaves shows in held-out samples only, or in the others only, a second one
 /// acts there of which the samples that are fitted cannot tell enough: then beams of all samples decide, if they name
 /// anything. So it is where another cause or pair that was tried is far nearer to the fitted samples than what is
-/// named. `clear`: the gap is beyond doubt; where it is not, edges prove nothing, for a millimetre decides whether a
+/// named; and where nothing is named though the gap is mostly in one part of the samples, if they explain nearly all of
+/// it. `clear`: the gap is beyond doubt; where it is not, edges prove nothing, for a millimetre decides whether a
 /// beam still grazes a bright surface, or the number of rays, and a faint halo explains the few echoes that only one
 /// program has.
 [[nodiscard]] Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
