@@ -145,19 +145,6 @@ std::string agreementText(const Diagnosis& diagnosis) {
                               "sensor's resolution to matter.");
 }
 
-/// Why the nearest cause is not it.
-const char* whyNot(Contradiction contradiction) {
-  switch (contradiction) {
-    case Contradiction::kFramesMove:
-      return "but it does not act on whole frames";
-    case Contradiction::kLossesUneven:
-      return "but it takes as many echoes from every beam";
-    case Contradiction::kNone:
-      break;
-  }
-  return "a right one would explain nearly all";
-}
-
 std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
   std::vector<Html> items;
   const VerdictKind kind = diagnosis.verdict.kind;
@@ -168,14 +155,8 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
                      "need their own experiment.")};
   }
   if (kind == VerdictKind::kUnknown) {
-    if (diagnosis.verdict.contradiction == Contradiction::kFramesMove)
-      items.push_back(
-          report::text("Look for what moves, drifts or alternates between frames: a mirror with several "
-                       "facets, a warm-up, a vibration, frames of several set-ups in one file."));
-    if (diagnosis.verdict.contradiction == Contradiction::kLossesUneven)
-      items.push_back(
-          report::text("Look for what loses echoes in some directions only: a mirror's facet or mount, the window, a "
-                       "faulty channel, packets that are dropped."));
+    if (const auto contradicted = wordsFor(diagnosis.verdict.contradiction))
+      items.push_back(report::text(contradicted->look_for));
     const Law* pattern = patternIn(diagnosis.verdict, diagnosis.rest);
     if (const Law::Term* wave = pattern ? waveIn(*pattern) : nullptr) {
       items.push_back(report::text(
@@ -239,10 +220,12 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
     facts.push_back({"How well they agree", report::text(agreementText(diagnosis))});
   if (diagnosis.verdict.kind == VerdictKind::kUnknown && !diagnosis.causes.empty()) {
     const Cause& nearest = diagnosis.causes.front();
-    facts.push_back({"The nearest cause",
-                     report::text(fmt::format(
-                         "{} would explain {} of what there is to explain; {}.", causeTitle(diagnosis, nearest.name),
-                         percent(std::max(0.0, nearest.explained)), whyNot(diagnosis.verdict.contradiction)))});
+    const auto contradicted = wordsFor(diagnosis.verdict.contradiction);
+    const char* why_not = contradicted ? contradicted->why_not : "a right one would explain nearly all";
+    facts.push_back(
+        {"The nearest cause", report::text(fmt::format("{} would explain {} of what there is to explain; {}.",
+                                                       causeTitle(diagnosis, nearest.name),
+                                                       percent(std::max(0.0, nearest.explained)), why_not))});
   }
   if (const Law* pattern = patternIn(diagnosis.verdict, diagnosis.rest))
     facts.push_back({"A pattern in it", report::text(patternText(*pattern))});

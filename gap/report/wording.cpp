@@ -206,25 +206,25 @@ std::string stratumText(const WhereRow& row) {
   return fmt::format("where {} is {}", row.covariate, names);
 }
 
-namespace {
-
-/// What the data show that no cause does.
-struct Difference {
-  const char* in;
-  const char* what;
-};
-
-std::optional<Difference> differenceIn(Contradiction contradiction) {
+std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
   switch (contradiction) {
     case Contradiction::kFramesMove:
-      return Difference{"from frame to frame", "all detections of a frame deviate together"};
+      return ContradictionWords{
+          "from frame to frame", "all detections of a frame deviate together", "but it does not act on whole frames",
+          "Look for what moves, drifts or alternates between frames: a mirror with several facets, a warm-up, a "
+          "vibration, frames of several set-ups in one file."};
     case Contradiction::kLossesUneven:
-      return Difference{"in what is lost", "some beams lose many echoes and others none"};
+      return ContradictionWords{"in what is lost", "some beams lose many echoes and others none",
+                                "but it takes as many echoes from every beam",
+                                "Look for what loses echoes in some directions only: a mirror's facet or mount, the "
+                                "window, a faulty channel, packets that are dropped."};
     case Contradiction::kNone:
       break;
   }
   return std::nullopt;
 }
+
+namespace {
 
 std::string findingSentence(const Diagnosis& diagnosis) {
   const Verdict& verdict = diagnosis.verdict;
@@ -260,9 +260,8 @@ std::string findingSentence(const Diagnosis& diagnosis) {
       return fmt::format("The reference quantity {} is off; corrected, {} {}.{}", listOf(verdict.names), shrink, sure,
                          ties);
     case VerdictKind::kUnknown:
-      if (const auto difference = differenceIn(verdict.contradiction))
-        return fmt::format("They differ {} {}: {}, which no cause that was tried does.", difference->in, sure,
-                           difference->what);
+      if (const auto words = wordsFor(verdict.contradiction))
+        return fmt::format("They differ {} {}: {}, which no cause that was tried does.", words->in, sure, words->what);
       if (diagnosis.causes.empty()) return "They differ, and nothing in the library explains it " + sure + ".";
       if (diagnosis.causes.front().shrink.fraction <= 0.0) {
         return fmt::format(
@@ -304,9 +303,9 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
     case VerdictKind::kReference:
       return fmt::format("The sensor model is not to blame: the reference data are wrong, namely the {}.", causes);
     case VerdictKind::kUnknown:
-      if (const auto difference = differenceIn(diagnosis.verdict.contradiction))
+      if (const auto words = wordsFor(diagnosis.verdict.contradiction))
         return fmt::format("Measurement and simulation differ {}: {}, which none of the causes that were tried does.",
-                           difference->in, difference->what);
+                           words->in, words->what);
       return "Measurement and simulation differ, and none of the causes that were tried explains it.";
   }
   return "";

@@ -36,6 +36,15 @@ struct PartedRows {
 
 /// Where the model as it is run shows another shrink; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
+/// What contradicts every cause that was tried, in words.
+struct ContradictionWords {
+  const char* in;        ///< where measurement and simulation differ
+  const char* what;      ///< what the data show there
+  const char* why_not;   ///< why the nearest cause is not it
+  const char* look_for;  ///< the next step, a sentence
+};
+/// Nothing where nothing does.
+[[nodiscard]] std::optional<ContradictionWords> wordsFor(Contradiction contradiction);
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
 [[nodiscard]] std::string unevenLossSentence(const UnevenLoss& loss);
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next);

@@ -55,9 +55,13 @@ bool holdsDetections(const Replay& replay, const Evidence& evidence) {
                      [&](std::size_t s) { return replay.samples()[s].measured.size() > 0; });
 }
 
+/// Whether beams may know more than samples did; lost files are no second cause.
+bool mayAskBeams(const Judge& judge, const Decision& decision) {
+  return !judge.split.weak && !decision.singles.empty() && holdsDetections(judge.replay, judge.split.held_out);
+}
+
 bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& decision) {
-  if (judge.split.weak || decision.singles.empty()) return false;
-  if (!holdsDetections(judge.replay, judge.split.held_out)) return false;  // lost files are no second cause
+  if (!mayAskBeams(judge, decision)) return false;
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
   const auto leftBy = [&](const Candidate& cause) {
@@ -79,7 +83,7 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
 /// Whether nothing is named though the gap itself is mostly in one part: what is little of it may be how programs
 /// differ.
 bool gapIsInOnePart(const Judge& judge, const Decision& decision) {
-  return !judge.split.weak && !decision.winner && gapOf(judge).mostlyInOnePart();
+  return mayAskBeams(judge, decision) && !decision.winner && gapOf(judge).mostlyInOnePart();
 }
 
 /// Whether held-out samples differ by more than chance though no cause was found that makes them: what acts there alone
