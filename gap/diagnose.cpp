@@ -11,6 +11,7 @@
 #include "gap/verdict.h"
 #include "gap/where/pictures.h"
 #include "gap/which/candidates.h"
+#include "gap/which/direction_law.h"
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
 #include "gap/which/ruling.h"
@@ -118,21 +119,26 @@ std::optional<UnevenLoss> heedLosses(const Judge& judge, Decision& decision) {
 }
 
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
-/// anything could explain, unless next to nothing of the gap is left by another measure.
-void heedCeiling(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
-                 Diagnosis& diagnosis) {
+/// anything could explain, unless next to nothing of the gap is left by another measure, nor one that a plain function
+/// of the beams' direction makes needless.
+void heedLaws(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
+              Diagnosis& diagnosis) {
   const Replay& replay = judge.replay;
   if (decision.kind == VerdictKind::kNone) return;
+  std::optional<Law> direction_law;
   if (decision.winner) {
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
+    direction_law = directionLawIn(judge, *decision.winner, where, after);
     diagnosis.rest = restOf(replay, judge.split, where, after);
-    if (!diagnosis.rest || !staysBelowCeiling(*decision.winner, diagnosis.rest->belowCeiling())) {
+    const bool below = diagnosis.rest && staysBelowCeiling(*decision.winner, diagnosis.rest->belowCeiling());
+    if (!direction_law && !below) {
       diagnosis.where = rowsOfCause(replay, where, after);
       return;
     }
-    decision.nameNothing();
+    decision.nameNothing(direction_law ? Contradiction::kFollowsDirection : Contradiction::kNone);
   }
   diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
+  if (direction_law && diagnosis.rest) diagnosis.rest->putFirst(*std::move(direction_law));
 }
 
 /// The fitted or held-out sample at which the two best candidates differ most.
@@ -252,7 +258,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
-  heedCeiling(exact, where, seed, decision, diagnosis);
+  heedLaws(exact, where, seed, decision, diagnosis);
   if (decision.kind == VerdictKind::kNone)
     decision.singles.clear();  // where nothing is to be explained, nothing has a cause
   if (!clear && decision.kind != VerdictKind::kNone) diagnosis.p_value = decision.p_value;

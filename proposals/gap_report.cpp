@@ -182,6 +182,7 @@ gap::Law readLaw(JsonObject& json) {
   law.measurand = json.text("measurand");
   law.component = json.text("component");
   law.unit = json.textOr("unit", "");
+  law.relative = json.flagOr("relative", false);
   law.constant = json.numberOr("constant", 0.0);
   law.explained = json.numberOr("explained", 0.0);
   eachOf(json, "terms", [&](JsonObject& term) {

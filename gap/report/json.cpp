@@ -115,13 +115,9 @@ Json toJson(const Law& law) {
     terms.push_back({{"covariate", term.covariate}, {"function", term.function}, {"coefficient", term.coefficient}});
     if (term.period > 0.0) terms.back().update({{"period", term.period}, {"zero", term.zero}});
   }
-  return {{"measurand", law.measurand},
-          {"component", law.component},
-          {"unit", law.unit},
-          {"constant", law.constant},
-          {"terms", terms},
-          {"explained", law.explained},
-          {"text", formulaOf(law)}};
+  return {{"measurand", law.measurand}, {"component", law.component}, {"unit", law.unit},
+          {"relative", law.relative},   {"constant", law.constant},   {"terms", terms},
+          {"explained", law.explained}, {"text", formulaOf(law)}};
 }
 
 Json toJson(const Rest& rest) {

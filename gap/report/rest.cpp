@@ -17,7 +17,7 @@ void addLaws(report::Page& page, const Rest& rest) {
   std::vector<std::vector<Html>> rows;
   for (const Law& law : rest.laws) {
     rows.push_back({report::text(componentTitle(law.measurand, law.component)), report::code(formulaOf(law)),
-                    report::text(law.unit), report::shareBar(law.explained)});
+                    report::text(unitText(law)), report::shareBar(law.explained)});
   }
   page.table(
       {{"difference", Align::Left, true}, {"measured − simulated ≈"}, {"in"}, {"follows the formula"}}, rows,

@@ -33,6 +33,8 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
+std::string unitText(const Law& law) { return law.relative ? "of the expected value" : law.unit; }
+
 const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest) {
   const bool told = verdict.kind == VerdictKind::kUnknown && rest && !rest->laws.empty();
   return told ? &rest->laws.front() : nullptr;
@@ -44,12 +46,12 @@ const Law::Term* waveIn(const Law& law) {
 
 std::string patternText(const Law& law) {
   const Law::Term* wave = waveIn(law);
-  const std::string unit = law.unit.empty() ? "" : " " + law.unit;
+  const std::string unit = unitText(law);
   const bool range = wave && wave->covariate == "range_m";
   const std::string how =
       wave ? fmt::format("goes up and down by ± {} and repeats every {} of {}", withUnit(wave->coefficient, law.unit),
                          withUnit(wave->period, range ? "m" : "°"), range ? "distance" : "azimuth")
-           : fmt::format("follows {}{}", formulaOf(law), unit);
+           : fmt::format("follows {}{}{}", formulaOf(law), unit.empty() ? "" : " ", unit);
   return fmt::format("The {}, measured minus simulated, {}: {} of what is left there.",
                      componentTitle(law.measurand, law.component), how, percent(law.explained));
 }

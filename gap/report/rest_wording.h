@@ -12,6 +12,9 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
+/// In what a formula counts: its unit, or "of the expected value".
+[[nodiscard]] std::string unitText(const Law& law);
+
 /// The law that a reader is told of where no cause explains the gap; null where one does, or nothing follows a law.
 [[nodiscard]] const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest);
 /// The wave that a law consists of; null for other laws.

@@ -218,6 +218,12 @@ std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
                                 "but it takes as many echoes from every beam",
                                 "Look for what loses echoes in some directions only: a mirror's facet or mount, the "
                                 "window, a faulty channel, packets that are dropped."};
+    case Contradiction::kFollowsDirection:
+      return ContradictionWords{
+          "with the direction of the beams", "a plain formula of their azimuth or elevation describes it",
+          "but that formula describes it with fewer numbers",
+          "Look at what the light passes in the sensor, and how that changes over the scan: the lens, the filter, the "
+          "window, the mirror, the alignment of emitter and receiver."};
     case Contradiction::kNone:
       break;
   }

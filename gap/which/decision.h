@@ -17,8 +17,9 @@ enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 /// What the data show that no cause that was tried does, so that none is named however much it explains.
 enum class Contradiction {
   kNone,
-  kFramesMove,   ///< all detections of a frame deviate together (frame_mode.h)
-  kLossesUneven  ///< some beams lose many echoes and others none (uneven_loss.h)
+  kFramesMove,       ///< all detections of a frame deviate together (frame_mode.h)
+  kLossesUneven,     ///< some beams lose many echoes and others none (uneven_loss.h)
+  kFollowsDirection  ///< a plain function of the beams' direction says it with fewer numbers (direction_law.h)
 };
 
 /// What the search for causes ended with.

@@ -5,11 +5,13 @@
 #include <set>
 
 #include "gap/distance/discrepancy.h"
+#include "gap/replay/statistics.h"
 
 namespace gap {
 
 namespace {
 
+constexpr double kFloor = 0.1;           // of a table's median residual
 constexpr double kMostDeviation = 10.0;  // errors: no residual counts more
 constexpr std::size_t kMostRows = 12000;
 constexpr double kRidge = 1e-3;  // of the mean diagonal
@@ -43,6 +45,19 @@ double Residuals::squares() const { return squares(Column::Zero(static_cast<Eige
 
 double Residuals::explainedBy(const Column& predicted) const {
   return 1.0 - squares(predicted) / std::max(1e-9, squares());
+}
+
+double floorOf(const ResidualTable& as_it_was) {
+  constexpr double kLeast = 1e-12;
+  std::vector<double> sizes;
+  for (const Row& row : as_it_was.rows) sizes.push_back(std::abs(row.value));
+  return sizes.empty() ? kLeast : std::max(kFloor * medianOf(sizes), kLeast);
+}
+
+const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table) {
+  const auto same = std::find_if(tables.begin(), tables.end(),
+                                 [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
+  return same == tables.end() ? nullptr : &*same;
 }
 
 Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Evidence& evidence) {

@@ -11,7 +11,8 @@ namespace gap {
 /// Residuals of one table on one side of the split, off edges. [unit of the table]
 struct Residuals {
   std::vector<ResidualTable::Row> rows;
-  double floor = 0.0;  ///< added to every error
+  double floor = 0.0;          ///< added to every error
+  std::vector<double> scales;  ///< of every row, what a law's 1 stands for in the table's unit; empty: one unit
 
   [[nodiscard]] double error(const ResidualTable::Row& row) const;
   [[nodiscard]] Eigen::VectorXd values() const;
@@ -21,6 +22,14 @@ struct Residuals {
   /// Share of the squares beyond noise that a prediction takes.
   [[nodiscard]] double explainedBy(const Eigen::VectorXd& predicted) const;
 };
+
+/// Fewer tell nothing of what they depend on.
+inline constexpr std::size_t kFewestRows = 30;
+
+/// The floor of a table's residuals: nothing is sought a tenth below the median of what it held at first.
+[[nodiscard]] double floorOf(const ResidualTable& as_it_was);
+/// The one of some tables that holds the same component of the same measurand; null if none does.
+[[nodiscard]] const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table);
 
 /// Of the samples of `evidence`; some of them, evenly, where there are more than anybody needs.
 [[nodiscard]] Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Evidence& evidence);

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <set>
 
-#include "gap/replay/statistics.h"
 #include "gap/where/covariates.h"
 #include "gap/which/periodic_law.h"
 #include "gap/which/residuals.h"
@@ -15,19 +14,11 @@ namespace gap {
 
 namespace {
 
-constexpr double kFloor = 0.1;  // of a table's median residual: nothing is sought below
-constexpr std::size_t kFewestRows = 30;
 constexpr std::size_t kKnots = 7;
 constexpr double kLeastExplained = 0.3;  // on held-out cells, by a law that is told
 
 using Row = ResidualTable::Row;
 using Column = Eigen::VectorXd;
-
-double medianSize(const ResidualTable& table) {
-  std::vector<double> sizes;
-  for (const Row& row : table.rows) sizes.push_back(std::abs(row.value));
-  return sizes.empty() ? 0.0 : medianOf(sizes);
-}
 
 std::vector<double> knotsOf(const Covariate& covariate, const std::vector<Row>& rows) {
   std::vector<double> values;
@@ -108,10 +99,15 @@ class AdditiveModel {
 };
 
 /// The shortest sum of functions, or a wave.
-Law bestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, const Residuals& judge) {
-  Law law = shortestLaw(covariates, fit, judge);
+Law bestLaw(const std::vector<Covariate>& covariates, const ResidualTable& table, const CellsOfSamples& expected,
+            const Residuals& fit, const Residuals& judge) {
+  Law law = shortestLaw(covariates, table, expected, fit, judge);
   std::optional<Law> wave = periodicLaw(covariates, fit, judge);
-  return wave && wave->explained > law.explained ? *std::move(wave) : law;
+  if (!wave || wave->explained <= law.explained) return law;
+  wave->measurand = table.measurand;
+  wave->component = table.component;
+  wave->unit = table.unit;
+  return *std::move(wave);
 }
 
 /// Of squared residuals beyond noise, summed over tables.
@@ -120,6 +116,12 @@ struct Sums {
 };
 
 }  // namespace
+
+void Rest::putFirst(Law law) {
+  std::erase_if(laws,
+                [&](const Law& other) { return other.measurand == law.measurand && other.component == law.component; });
+  laws.insert(laws.begin(), std::move(law));
+}
 
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                            const WhereResult& after) {
@@ -130,14 +132,11 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
   Rest rest;
   Sums sums;
   for (const ResidualTable& table : after.tables) {
-    const auto as_it_was = std::find_if(before.tables.begin(), before.tables.end(), [&](const ResidualTable& t) {
-      return t.isOf(table.measurand, table.component);
-    });
-    if (as_it_was == before.tables.end()) continue;
-    const double floor = std::max(kFloor * medianSize(*as_it_was), 1e-12);
+    const ResidualTable* as_it_was = sameOf(before.tables, table);
+    if (!as_it_was) continue;
     Residuals was = residualsOf(replay, *as_it_was, split.held_out);
     Residuals fit = residualsOf(replay, table, split.fitted), judge = residualsOf(replay, table, split.held_out);
-    was.floor = fit.floor = judge.floor = floor;
+    was.floor = fit.floor = judge.floor = floorOf(*as_it_was);
     if (fit.rows.size() < kFewestRows || judge.rows.size() < kFewestRows) continue;
     const double left = judge.squares();
     sums.before += was.squares();
@@ -145,14 +144,11 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
     double beyond_any = std::min(left, judge.squares(AdditiveModel(covariates, fit).predict(judge.rows)));
     // Twice the spread of a sum of squares of standard normal numbers: less is noise.
     const bool noise = left < 2.0 * std::sqrt(2.0 * static_cast<double>(judge.rows.size()));
-    Law law = noise ? Law{} : bestLaw(covariates, fit, judge);
+    Law law = noise ? Law{} : bestLaw(covariates, table, after.expected, fit, judge);
     const bool told = law.explained >= kLeastExplained;
     if (told) beyond_any = std::min(beyond_any, (1.0 - law.explained) * left);
     sums.beyond_any += beyond_any;
     if (!told) continue;
-    law.measurand = table.measurand;
-    law.component = table.component;
-    law.unit = table.unit;
     rest.laws.push_back(std::move(law));
   }
   if (sums.before <= 0.0) return std::nullopt;

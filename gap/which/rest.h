@@ -19,6 +19,8 @@ struct Rest {
   [[nodiscard]] double ceiling() const { return 1.0 - left * (1.0 - systematic); }
   /// How much less of the gap the world explains by itself.
   [[nodiscard]] double belowCeiling() const { return left * systematic; }
+  /// A law in place of the one that was found for the same component, before all others.
+  void putFirst(Law law);
 };
 
 /// `before`: residuals of the model as it was brought, `after`: of the world in question.

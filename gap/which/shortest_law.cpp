@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gap {
 
@@ -67,10 +68,15 @@ std::vector<Feature> featuresOf(const std::vector<Covariate>& covariates, const 
   return features;
 }
 
-Eigen::MatrixXd matrixOf(const std::vector<Feature>& features, const std::vector<Row>& rows) {
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(features.size()) + 1);
+/// A constant and the features, in the unit of the residuals.
+Eigen::MatrixXd matrixOf(const std::vector<Feature>& features, const Residuals& residuals) {
+  const auto rows = static_cast<Eigen::Index>(residuals.rows.size());
+  Eigen::MatrixXd matrix(rows, static_cast<Eigen::Index>(features.size()) + 1);
   matrix.col(0).setOnes();
-  for (std::size_t f = 0; f < features.size(); ++f) matrix.col(static_cast<Eigen::Index>(f) + 1) = features[f].on(rows);
+  for (std::size_t f = 0; f < features.size(); ++f)
+    matrix.col(static_cast<Eigen::Index>(f) + 1) = features[f].on(residuals.rows);
+  if (!residuals.scales.empty())
+    matrix.array().colwise() *= Eigen::Map<const Column>(residuals.scales.data(), rows).array();
   return matrix;
 }
 
@@ -85,13 +91,12 @@ Law lawOf(const std::vector<Feature>& chosen, const Column& coefficients) {
   return law;
 }
 
-}  // namespace
-
-Law shortestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, const Residuals& judge) {
+/// In the unit of the residuals, or of their scales.
+Law selected(const std::vector<Covariate>& covariates, const Residuals& fit, const Residuals& judge) {
   const std::vector<Feature> offered = featuresOf(covariates, fit, judge);
   std::vector<Feature> chosen;
-  Column coefficients = fitted(matrixOf(chosen, fit.rows), fit);
-  double left = fit.squares(matrixOf(chosen, fit.rows) * coefficients);
+  Column coefficients = fitted(matrixOf(chosen, fit), fit);
+  double left = fit.squares(matrixOf(chosen, fit) * coefficients);
   const double worth_a_term = kTermGain * fit.squares();
   while (chosen.size() < kMostTerms) {
     std::vector<Feature> best;
@@ -99,7 +104,7 @@ Law shortestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, 
     for (const Feature& feature : offered) {
       std::vector<Feature> tried = chosen;
       tried.push_back(feature);
-      const Eigen::MatrixXd matrix = matrixOf(tried, fit.rows);
+      const Eigen::MatrixXd matrix = matrixOf(tried, fit);
       const double now = fit.squares(matrix * fitted(matrix, fit));
       if (now >= least) continue;
       least = now;
@@ -107,11 +112,45 @@ Law shortestLaw(const std::vector<Covariate>& covariates, const Residuals& fit, 
     }
     if (best.empty()) break;
     chosen = std::move(best);
-    coefficients = fitted(matrixOf(chosen, fit.rows), fit);
+    coefficients = fitted(matrixOf(chosen, fit), fit);
     left = least;
   }
   Law law = lawOf(chosen, coefficients);
-  law.explained = judge.explainedBy(matrixOf(chosen, judge.rows) * coefficients);
+  law.explained = judge.explainedBy(matrixOf(chosen, judge) * coefficients);
+  return law;
+}
+
+/// With the expected value of every row as its scale; nothing where a row has none.
+std::optional<Residuals> inPartsOf(const CellsOfSamples& expected, Channel channel, Residuals residuals) {
+  for (const Row& row : residuals.rows) {
+    const CellStatistics& cell = expected[row.sample][row.cell];
+    if (cell.count <= 0.0) return std::nullopt;
+    residuals.scales.push_back(cell.mean(channel));
+  }
+  return residuals;
+}
+
+/// That a gain would multiply.
+std::optional<Channel> multipliedChannel(const ResidualTable& table) {
+  for (const Channel channel : {kEpw, kIntensity})
+    if (table.isOf(nameOf(channel), "bias")) return channel;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Law shortestLaw(const std::vector<Covariate>& covariates, const ResidualTable& table, const CellsOfSamples& expected,
+                const Residuals& fit, const Residuals& judge) {
+  Law law = selected(covariates, fit, judge);
+  law.unit = table.unit;
+  if (const std::optional<Channel> channel = multipliedChannel(table)) {
+    const auto fit_parts = inPartsOf(expected, *channel, fit), judge_parts = inPartsOf(expected, *channel, judge);
+    Law in_parts = fit_parts && judge_parts ? selected(covariates, *fit_parts, *judge_parts) : Law{};
+    in_parts.relative = true;
+    if (in_parts.explained > law.explained) law = std::move(in_parts);
+  }
+  law.measurand = table.measurand;
+  law.component = table.component;
   return law;
 }
 

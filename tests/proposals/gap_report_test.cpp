@@ -94,7 +94,8 @@ TEST(GapReport, HoldsWhatIsLeftUnexplained) {
                      .unit = "m",
                      .constant = 0.1,
                      .terms = {{"range_m", "1/x", 2.0}},
-                     .explained = 0.75};
+                     .explained = 0.75,
+                     .relative = true};
   diagnosis.rest = gap::Rest{.left = 0.4, .systematic = 0.625, .laws = {law}};
   const GapReport report = parseGapReport(gap::reportJson(diagnosis), "gap.json");
   ASSERT_TRUE(report.rest);
@@ -103,6 +104,7 @@ TEST(GapReport, HoldsWhatIsLeftUnexplained) {
   ASSERT_EQ(report.rest->laws.size(), 1U);
   EXPECT_EQ(gap::formulaOf(report.rest->laws[0]), gap::formulaOf(law));
   EXPECT_EQ(report.rest->laws[0].explained, 0.75);
+  EXPECT_TRUE(report.rest->laws[0].relative);
 }
 
 TEST(GapReport, AnotherFileIsRefusedInWords) {

@@ -229,7 +229,7 @@ QString restPart(const GapReport& report, const QPalette& palette) {
            palette);
   for (const gap::Law& law : rest.laws) {
     rows += "<tr>" + cell(html::text(gap::componentTitle(law.measurand, law.component))) +
-            sentence(html::text(gap::formulaOf(law))) + cell(html::text(law.unit)) +
+            sentence(html::text(gap::formulaOf(law))) + cell(html::text(gap::unitText(law))) +
             cell(percent(law.explained), true) + "</tr>";
   }
   return page + table(rows) +
