@@ -15,9 +15,10 @@ namespace {
 void addLaws(report::Page& page, const Rest& rest) {
   if (rest.laws.empty()) return;
   std::vector<std::vector<Html>> rows;
-  for (const Law& law : rest.laws) {
+  for (const Law& found : rest.laws) {
+    const Law law = forReaders(found);
     rows.push_back({report::text(componentTitle(law.measurand, law.component)), report::code(formulaOf(law)),
-                    report::text(unitText(law)), report::shareBar(law.explained)});
+                    report::text(law.unit), report::shareBar(law.explained)});
   }
   page.table(
       {{"difference", Align::Left, true}, {"measured − simulated ≈"}, {"in"}, {"follows the formula"}}, rows,

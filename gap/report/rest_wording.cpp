@@ -33,7 +33,14 @@ std::string formulaOf(const Law& law) {
   return formula;
 }
 
-std::string unitText(const Law& law) { return law.relative ? "of the expected value" : law.unit; }
+Law forReaders(Law law) {
+  if (!law.relative) return law;
+  law.relative = false;
+  law.unit = "% of the expected value";
+  law.constant *= 100.0;
+  for (Law::Term& term : law.terms) term.coefficient *= 100.0;
+  return law;
+}
 
 const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest) {
   const bool told = verdict.kind == VerdictKind::kUnknown && rest && !rest->laws.empty();
@@ -44,14 +51,14 @@ const Law::Term* waveIn(const Law& law) {
   return law.terms.size() == 1 && law.terms.front().period > 0.0 ? &law.terms.front() : nullptr;
 }
 
-std::string patternText(const Law& law) {
+std::string patternText(const Law& found) {
+  const Law law = forReaders(found);
   const Law::Term* wave = waveIn(law);
-  const std::string unit = unitText(law);
   const bool range = wave && wave->covariate == "range_m";
   const std::string how =
       wave ? fmt::format("goes up and down by ± {} and repeats every {} of {}", withUnit(wave->coefficient, law.unit),
                          withUnit(wave->period, range ? "m" : "°"), range ? "distance" : "azimuth")
-           : fmt::format("follows {}{}{}", formulaOf(law), unit.empty() ? "" : " ", unit);
+           : "follows " + (law.unit.empty() ? formulaOf(law) : fmt::format("({}) {}", formulaOf(law), law.unit));
   return fmt::format("The {}, measured minus simulated, {}: {} of what is left there.",
                      componentTitle(law.measurand, law.component), how, percent(law.explained));
 }

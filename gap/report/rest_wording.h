@@ -12,8 +12,8 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
-/// In what a formula counts: its unit, or "of the expected value".
-[[nodiscard]] std::string unitText(const Law& law);
+/// The same law as a reader is told of it: parts of the expected value in per cent.
+[[nodiscard]] Law forReaders(Law law);
 
 /// The law that a reader is told of where no cause explains the gap; null where one does, or nothing follows a law.
 [[nodiscard]] const Law* patternIn(const Verdict& verdict, const std::optional<Rest>& rest);

@@ -11,8 +11,8 @@ namespace gap {
 /// A plain function of the beams' azimuth or elevation (shortest_law.h) that describes the deviation of one measurand's
 /// mean with fewer numbers than a cause does, or so much better that its further numbers are paid for: a gain that
 /// falls towards the rim of the scan, of which a cloud or a dirty sector with enough numbers makes nearly as much.
-/// Judged by held-out cells off edges, all tables together, as causes are told apart: every number costs four nats (Judge), and so does
-/// the choice among all laws that were tried, its logarithm (Schwarz 1978, Ann. Stat. 6, 461).
+/// Judged by held-out cells off edges, all tables together, as causes are told apart: every number costs four nats
+/// (Judge), and so does the choice among all laws that were tried, its logarithm (Schwarz 1978, Ann. Stat. 6, 461).
 ///
 /// Surfaces, distances and values are no covariates here: through these the causes of the library act, and two programs
 /// differ along them.

@@ -227,9 +227,10 @@ QString restPart(const GapReport& report, const QPalette& palette) {
   QString rows =
       head({QObject::tr("Difference"), QObject::tr("Measured − simulated ≈"), "", QObject::tr("Follows the formula")},
            palette);
-  for (const gap::Law& law : rest.laws) {
+  for (const gap::Law& found : rest.laws) {
+    const gap::Law law = gap::forReaders(found);
     rows += "<tr>" + cell(html::text(gap::componentTitle(law.measurand, law.component))) +
-            sentence(html::text(gap::formulaOf(law))) + cell(html::text(gap::unitText(law))) +
+            sentence(html::text(gap::formulaOf(law))) + cell(html::text(law.unit)) +
             cell(percent(law.explained), true) + "</tr>";
   }
   return page + table(rows) +

@@ -82,7 +82,7 @@ TEST_F(Directions, ThatStretchWidthsEvenlyAreNoCauseOfTheLibrary) {
   EXPECT_EQ(diagnosis.verdict.kind, gap::VerdictKind::kUnknown);
   const gap::Law* pattern = gap::patternIn(diagnosis.verdict, diagnosis.rest);
   ASSERT_NE(pattern, nullptr);
-  EXPECT_THAT(gap::patternText(*pattern), testing::HasSubstr("azimuth_deg of the expected value"));
+  EXPECT_THAT(gap::patternText(*pattern), testing::HasSubstr("azimuth_deg) % of the expected value"));
 }
 
 }  // namespace

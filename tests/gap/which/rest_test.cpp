@@ -132,4 +132,16 @@ TEST(Wording, AWaveIsAFormulaAndASentence) {
             "distance: 95 % of what is left there.");
 }
 
+TEST(Wording, PartsOfTheExpectedValueAreSaidInPerCent) {
+  const gap::Law law{.measurand = "intensity",
+                     .component = "bias",
+                     .constant = 0.002,
+                     .terms = {{"azimuth_deg", "x", -0.0011}},
+                     .explained = 0.95,
+                     .relative = true};
+  EXPECT_EQ(gap::patternText(law),
+            "The mean of the intensity, measured minus simulated, follows (0.2 − 0.11·azimuth_deg) % of the expected "
+            "value: 95 % of what is left there.");
+}
+
 }  // namespace
