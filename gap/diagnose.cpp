@@ -11,7 +11,7 @@
 #include "gap/verdict.h"
 #include "gap/where/pictures.h"
 #include "gap/which/candidates.h"
-#include "gap/which/direction_law.h"
+#include "gap/which/direction_laws.h"
 #include "gap/which/evidence_limits.h"
 #include "gap/which/frame_mode.h"
 #include "gap/which/ruling.h"
@@ -119,26 +119,26 @@ std::optional<UnevenLoss> heedLosses(const Judge& judge, Decision& decision) {
 }
 
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
-/// anything could explain, unless next to nothing of the gap is left by another measure, nor one that a plain function
-/// of the beams' direction makes needless.
+/// anything could explain, unless next to nothing of the gap is left by another measure, nor one that plain functions
+/// of the beams' azimuth make needless.
 void heedLaws(const Judge& judge, const WhereResult& where, std::uint64_t seed, Decision& decision,
               Diagnosis& diagnosis) {
   const Replay& replay = judge.replay;
   if (decision.kind == VerdictKind::kNone) return;
-  std::optional<Law> direction_law;
+  std::vector<Law> of_direction;
   if (decision.winner) {
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
-    direction_law = directionLawIn(judge, *decision.winner, where, after);
+    of_direction = directionLawsIn(judge, *decision.winner, where, after);
     diagnosis.rest = restOf(replay, judge.split, where, after);
     const bool below = diagnosis.rest && staysBelowCeiling(*decision.winner, diagnosis.rest->belowCeiling());
-    if (!direction_law && !below) {
+    if (of_direction.empty() && !below) {
       diagnosis.where = rowsOfCause(replay, where, after);
       return;
     }
-    decision.nameNothing(direction_law ? Contradiction::kFollowsDirection : Contradiction::kNone);
+    decision.nameNothing(of_direction.empty() ? Contradiction::kNone : Contradiction::kFollowsDirection);
   }
   diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
-  if (direction_law && diagnosis.rest) diagnosis.rest->putFirst(*std::move(direction_law));
+  if (diagnosis.rest) diagnosis.rest->putFirst(std::move(of_direction));
 }
 
 /// The fitted or held-out sample at which the two best candidates differ most.

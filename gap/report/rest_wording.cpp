@@ -36,7 +36,7 @@ std::string formulaOf(const Law& law) {
 Law forReaders(Law law) {
   if (!law.relative) return law;
   law.relative = false;
-  law.unit = "% of the expected value";
+  law.unit = "% of the received power";
   law.constant *= 100.0;
   for (Law::Term& term : law.terms) term.coefficient *= 100.0;
   return law;

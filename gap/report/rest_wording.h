@@ -12,7 +12,7 @@ namespace gap {
 /// "0.21 + 0.34·tan²(incidence_deg)", in the law's unit.
 [[nodiscard]] std::string formulaOf(const Law& law);
 
-/// The same law as a reader is told of it: parts of the expected value in per cent.
+/// The same law as a reader is told of it: parts of the received power in per cent.
 [[nodiscard]] Law forReaders(Law law);
 
 /// The law that a reader is told of where no cause explains the gap; null where one does, or nothing follows a law.

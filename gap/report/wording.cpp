@@ -220,7 +220,7 @@ std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
                                 "window, a faulty channel, packets that are dropped."};
     case Contradiction::kFollowsDirection:
       return ContradictionWords{
-          "with the direction of the beams", "a plain formula of their azimuth or elevation describes it",
+          "with the direction of the beams", "a plain formula of their azimuth describes it",
           "but that formula describes it with fewer numbers",
           "Look at what the light passes in the sensor, and how that changes over the scan: the lens, the filter, the "
           "window, the mirror, the alignment of emitter and receiver."};

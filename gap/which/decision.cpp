@@ -13,6 +13,7 @@
 #include "gap/which/cross_fit.h"
 #include "gap/which/exchanges.h"
 #include "gap/which/leading_pairs.h"
+#include "gap/which/pair_by_means.h"
 #include "gap/which/pairs.h"
 #include "gap/which/partners.h"
 #include "gap/which/same_sector.h"
@@ -253,6 +254,21 @@ struct Asked {
   }
 };
 
+/// The pair that takes what the single causes leave of the means, if it holds by all beams and on the total gap.
+std::optional<Candidate> provenByMeans(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
+                                       const WhereResult& where, const Decision& decision,
+                                       const core::Progress& progress) {
+  const std::optional<Candidate> nearest = pairByMeans(quick, decision.singles, decision.pairs, progress);
+  if (!nearest) return std::nullopt;
+  std::vector<Candidate> polished{*nearest};
+  polish(exact, gaps, polished, where, progress);
+  const Candidate& pair = polished.front();
+  const bool holds = exact.accountedFor(pair) >= enoughToName(exact.yardstick) &&
+                     restOfWholeGap(gaps, pair) <= kMostRestOfPair &&
+                     earnsItsSecondByMeans(quick, exact, decision.singles.front(), pair);
+  return holds ? std::optional(pair) : std::nullopt;
+}
+
 /// Looks for two causes, and names them if both earn their place; the single causes learn from the joint fits.
 bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                 Decision& decision, core::Progress& progress) {
@@ -284,8 +300,14 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
     if (plainest.hypothesis.name != best.hypothesis.name)
       earning = asked.firstThatEarns(heard, plainest, restOf(exact, plainest));
   }
-  if (earning == heard.end()) return false;
-  std::rotate(heard.begin(), earning, earning + 1);
+  if (earning == heard.end()) {
+    const std::optional<Candidate> proven = provenByMeans(quick, exact, gaps, where, decision, progress);
+    if (!proven) return false;
+    std::erase_if(pairs, [&](const Candidate& pair) { return samePair(pair, *proven); });
+    pairs.insert(pairs.begin(), *proven);
+  } else {
+    std::rotate(heard.begin(), earning, earning + 1);
+  }
   leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));
   nameFirstOf(pairs, quick, exact, decision);
   return true;

@@ -19,7 +19,7 @@ enum class Contradiction {
   kNone,
   kFramesMove,       ///< all detections of a frame deviate together (frame_mode.h)
   kLossesUneven,     ///< some beams lose many echoes and others none (uneven_loss.h)
-  kFollowsDirection  ///< a plain function of the beams' direction says it with fewer numbers (direction_law.h)
+  kFollowsDirection  ///< plain functions of the beams' azimuth say it with fewer numbers (direction_laws.h)
 };
 
 /// What the search for causes ended with.

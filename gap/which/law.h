@@ -21,7 +21,7 @@ struct Law {
   double constant = 0.0;
   std::vector<Term> terms;
   double explained = 0.0;  ///< of the squared residuals beyond noise, on held-out cells
-  bool relative = false;   ///< in parts of the value that is expected, and of no unit
+  bool relative = false;   ///< in parts of the received power, and of no unit
 };
 
 }  // namespace gap

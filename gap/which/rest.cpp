@@ -99,9 +99,9 @@ class AdditiveModel {
 };
 
 /// The shortest sum of functions, or a wave.
-Law bestLaw(const std::vector<Covariate>& covariates, const ResidualTable& table, const CellsOfSamples& expected,
-            const Residuals& fit, const Residuals& judge) {
-  Law law = shortestLaw(covariates, table, expected, fit, judge);
+Law bestLaw(const Replay& replay, const std::vector<Covariate>& covariates, const ResidualTable& table,
+            const CellsOfSamples& expected, const Residuals& fit, const Residuals& judge) {
+  Law law = shortestLaw(replay, covariates, table, expected, fit, judge);
   std::optional<Law> wave = periodicLaw(covariates, fit, judge);
   if (!wave || wave->explained <= law.explained) return law;
   wave->measurand = table.measurand;
@@ -117,10 +117,14 @@ struct Sums {
 
 }  // namespace
 
-void Rest::putFirst(Law law) {
-  std::erase_if(laws,
-                [&](const Law& other) { return other.measurand == law.measurand && other.component == law.component; });
-  laws.insert(laws.begin(), std::move(law));
+void Rest::putFirst(std::vector<Law> first) {
+  for (Law& law : laws) {
+    const bool told = std::any_of(first.begin(), first.end(), [&](const Law& other) {
+      return other.measurand == law.measurand && other.component == law.component;
+    });
+    if (!told) first.push_back(std::move(law));
+  }
+  laws = std::move(first);
 }
 
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
@@ -144,7 +148,7 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
     double beyond_any = std::min(left, judge.squares(AdditiveModel(covariates, fit).predict(judge.rows)));
     // Twice the spread of a sum of squares of standard normal numbers: less is noise.
     const bool noise = left < 2.0 * std::sqrt(2.0 * static_cast<double>(judge.rows.size()));
-    Law law = noise ? Law{} : bestLaw(covariates, table, after.expected, fit, judge);
+    Law law = noise ? Law{} : bestLaw(replay, covariates, table, after.expected, fit, judge);
     const bool told = law.explained >= kLeastExplained;
     if (told) beyond_any = std::min(beyond_any, (1.0 - law.explained) * left);
     sums.beyond_any += beyond_any;

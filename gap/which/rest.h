@@ -19,8 +19,8 @@ struct Rest {
   [[nodiscard]] double ceiling() const { return 1.0 - left * (1.0 - systematic); }
   /// How much less of the gap the world explains by itself.
   [[nodiscard]] double belowCeiling() const { return left * systematic; }
-  /// A law in place of the one that was found for the same component, before all others.
-  void putFirst(Law law);
+  /// Laws in place of those that were found for the same components, before all others.
+  void putFirst(std::vector<Law> first);
 };
 
 /// `before`: residuals of the model as it was brought, `after`: of the world in question.

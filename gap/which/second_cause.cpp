@@ -138,4 +138,9 @@ bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& bes
           takesNearlyAll(best, left_by_best, pair));
 }
 
+bool earnsItsSecondByMeans(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
+  return pair.explained > best.explained && pair.total_left < best.total_left + kMaterialRest &&
+         isNearer(quick, exact, pair, best) && !explainsWhatAReferenceLeaves(exact, best, pair);
+}
+
 }  // namespace gap

@@ -26,6 +26,10 @@ namespace gap {
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
                                   const Candidate& pair);
+/// The same of a pair that takes what the single causes leave of the means (pair_by_means.h): it need not take so much
+/// of the discrepancy.
+[[nodiscard]] bool earnsItsSecondByMeans(const Judge& quick, const Judge& exact, const Candidate& best,
+                                         const Candidate& pair);
 
 /// Second causes beside a single one that prove themselves, one of so many causes: each gains what chance gives none of
 /// them, as much of it as a cause that is there would bring, and leaves nothing. This sees what is in no rest: the

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/physics.h"
+
 namespace gap {
 
 namespace {
@@ -120,18 +122,27 @@ Law selected(const std::vector<Covariate>& covariates, const Residuals& fit, con
   return law;
 }
 
-/// With the expected value of every row as its scale; nothing where a row has none.
-std::optional<Residuals> inPartsOf(const CellsOfSamples& expected, Channel channel, Residuals residuals) {
+/// What a part of 1 of the received power is in a channel, where this value is expected.
+double perPower(const Replay& replay, std::size_t sample, Channel channel, double expected) {
+  if (channel == kIntensity) return expected;
+  const model::SensorProfile& profile = replay.baseline().model.sensor(replay.samples()[sample].sample->sensor);
+  const double pulse_m = core::kMetresPerNanosecond * profile.emitter.pulse_fwhm_ns;
+  return pulse_m * pulse_m / (2.0 * std::numbers::ln2 * expected);
+}
+
+/// With that of every row as its scale; nothing where a row has no expected value.
+std::optional<Residuals> inPartsOfPower(const Replay& replay, const CellsOfSamples& expected, Channel channel,
+                                        Residuals residuals) {
   for (const Row& row : residuals.rows) {
     const CellStatistics& cell = expected[row.sample][row.cell];
-    if (cell.count <= 0.0) return std::nullopt;
-    residuals.scales.push_back(cell.mean(channel));
+    if (cell.count <= 0.0 || cell.mean(channel) <= 0.0) return std::nullopt;
+    residuals.scales.push_back(perPower(replay, row.sample, channel, cell.mean(channel)));
   }
   return residuals;
 }
 
-/// That a gain would multiply.
-std::optional<Channel> multipliedChannel(const ResidualTable& table) {
+/// In which a gain shows as such.
+std::optional<Channel> channelOfPower(const ResidualTable& table) {
   for (const Channel channel : {kEpw, kIntensity})
     if (table.isOf(nameOf(channel), "bias")) return channel;
   return std::nullopt;
@@ -139,12 +150,13 @@ std::optional<Channel> multipliedChannel(const ResidualTable& table) {
 
 }  // namespace
 
-Law shortestLaw(const std::vector<Covariate>& covariates, const ResidualTable& table, const CellsOfSamples& expected,
-                const Residuals& fit, const Residuals& judge) {
+Law shortestLaw(const Replay& replay, const std::vector<Covariate>& covariates, const ResidualTable& table,
+                const CellsOfSamples& expected, const Residuals& fit, const Residuals& judge) {
   Law law = selected(covariates, fit, judge);
   law.unit = table.unit;
-  if (const std::optional<Channel> channel = multipliedChannel(table)) {
-    const auto fit_parts = inPartsOf(expected, *channel, fit), judge_parts = inPartsOf(expected, *channel, judge);
+  if (const std::optional<Channel> channel = channelOfPower(table)) {
+    const auto fit_parts = inPartsOfPower(replay, expected, *channel, fit);
+    const auto judge_parts = inPartsOfPower(replay, expected, *channel, judge);
     Law in_parts = fit_parts && judge_parts ? selected(covariates, *fit_parts, *judge_parts) : Law{};
     in_parts.relative = true;
     if (in_parts.explained > law.explained) law = std::move(in_parts);

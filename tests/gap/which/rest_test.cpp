@@ -132,7 +132,7 @@ TEST(Wording, AWaveIsAFormulaAndASentence) {
             "distance: 95 % of what is left there.");
 }
 
-TEST(Wording, PartsOfTheExpectedValueAreSaidInPerCent) {
+TEST(Wording, PartsOfTheReceivedPowerAreSaidInPerCent) {
   const gap::Law law{.measurand = "intensity",
                      .component = "bias",
                      .constant = 0.002,
@@ -140,8 +140,8 @@ TEST(Wording, PartsOfTheExpectedValueAreSaidInPerCent) {
                      .explained = 0.95,
                      .relative = true};
   EXPECT_EQ(gap::patternText(law),
-            "The mean of the intensity, measured minus simulated, follows (0.2 − 0.11·azimuth_deg) % of the expected "
-            "value: 95 % of what is left there.");
+            "The mean of the intensity, measured minus simulated, follows (0.2 − 0.11·azimuth_deg) % of the received "
+            "power: 95 % of what is left there.");
 }
 
 }  // namespace
