@@ -17,9 +17,9 @@ class MeansOfTwoCauses : public testing::Test {
   explicit MeansOfTwoCauses(double offset_m = 0.4)
       : offset_m_(offset_m),
         measured_(world_.measuredBy(
-            SmallWorld::modelWith({{"range-offset", {{"offset_m", offset_m}}},
-                                   {"cover-contamination",
-                                    {{"attenuation", 0.3}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
+            SmallWorld::modelWith(
+                {{"range-offset", {{"offset_m", offset_m}}},
+                 {"cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
             0.4)) {}
 
   [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
@@ -51,7 +51,8 @@ TEST_F(MeansOfTwoCauses, ChooseThePairThatTakesWhatEachCauseLeaves) {
 }
 
 TEST_F(MeansOfTwoCauses, ChooseNoPairThatTakesAPartOfIt) {
-  EXPECT_FALSE(chosenOf({gap::pairOf(offset_, drift_), gap::pairOf(offset_, with("cover-contamination", {0.3, 30.0, 60.0}))}));
+  EXPECT_FALSE(
+      chosenOf({gap::pairOf(offset_, drift_), gap::pairOf(offset_, with("cover-contamination", {0.3, 30.0, 60.0}))}));
 }
 
 // Whatever takes the rest then takes noise.
