@@ -26,7 +26,8 @@ struct Residuals {
 /// Fewer tell nothing of what they depend on.
 inline constexpr std::size_t kFewestRows = 30;
 
-/// The floor of a table's residuals: nothing is sought a tenth below the median of what it held at first.
+/// The floor of a table's residuals, a tenth of the median size of those that it held at first: nothing is sought
+/// below.
 [[nodiscard]] double floorOf(const ResidualTable& as_it_was);
 /// The one of some tables that holds the same component of the same measurand; null if none does.
 [[nodiscard]] const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table);
