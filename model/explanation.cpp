@@ -15,7 +15,8 @@ constexpr double kSamplesPerWidth = 16.0;
 constexpr double kWidthsAround = 2.0;
 
 /// Received signal around every pulse; neighbouring pulses share their samples.
-std::vector<WaveformSample> waveformOf(std::vector<Pulse> pulses, double gain, const Emitter& emitter) {
+std::vector<WaveformSample> waveformOf(std::vector<Pulse> pulses, const Fluctuation& fluctuation,
+                                       const Emitter& emitter) {
   const double width_m = core::kMetresPerNanosecond * emitter.pulse_fwhm_ns / 2.0;
   const double step_m = width_m / kSamplesPerWidth;
   std::sort(pulses.begin(), pulses.end(), [](const Pulse& a, const Pulse& b) { return a.range_m < b.range_m; });
@@ -26,8 +27,8 @@ std::vector<WaveformSample> waveformOf(std::vector<Pulse> pulses, double gain, c
     for (; r <= pulse.range_m + kWidthsAround * width_m; r += step_m) {
       double power_w = 0.0;
       for (const Pulse& other : pulses)
-        power_w += other.power_w * emitter.pulse_shape.at((r - other.range_m) / width_m);
-      samples.push_back({r, gain * power_w});
+        power_w += fluctuation.of(other) * other.power_w * emitter.pulse_shape.at((r - other.range_m) / width_m);
+      samples.push_back({r, power_w});
     }
     from_m = r;
   }
@@ -154,7 +155,7 @@ BeamExplanation Explainer::explain(std::size_t beam, int frame) const {
   result.shot = recordOf(beam, frame);
   result.reason = reasonOf(beam, result.shot);
   result.rays = raysOf(beam);
-  result.waveform = waveformOf(result.shot.pulses, result.shot.gain, chain_.settings().emitter);
+  result.waveform = waveformOf(result.shot.pulses, result.shot.fluctuation, chain_.settings().emitter);
   return result;
 }
 

@@ -36,7 +36,8 @@ ordered_json toJson(const model::BeamExplanation& beam, std::size_t index, int f
                     {"elevation_rad", beam.beam.elevation_rad},
                     {"reason", model::toString(beam.reason)},
                     {"threshold_w", beam.shot.receiver.threshold_w},
-                    {"fluctuation", beam.shot.gain},
+                    {"fluctuation", beam.shot.fluctuation.of_all},
+                    {"fluctuation_of_surfaces", beam.shot.fluctuation.of_surfaces},
                     {"noise_w", beam.shot.noise_w}};
   for (const char* list : {"rays", "pulses", "echoes", "waveform"}) json[list] = ordered_json::array();
   for (const model::SubRayExplanation& ray : beam.rays) {
@@ -52,7 +53,8 @@ ordered_json toJson(const model::BeamExplanation& beam, std::size_t index, int f
     json["rays"].push_back(item);
   }
   for (const model::Pulse& pulse : beam.shot.pulses) {
-    json["pulses"].push_back({{"range_m", pulse.range_m}, {"power_w", pulse.power_w}});
+    json["pulses"].push_back(
+        {{"range_m", pulse.range_m}, {"power_w", pulse.power_w}, {"of_surface", pulse.of_surface}});
   }
   for (const model::Echo& echo : beam.shot.echoes) {
     json["echoes"].push_back({{"range_m", echo.range_m},

@@ -207,8 +207,10 @@ class Effect {
                                                                    const core::Random::Key& /*key*/) const {
     return nullptr;
   }
-  /// Multiplies all of a beam's power in one frame (speckle, jitter); 1 is no change.
+  /// Multiplies all of a beam's power in one frame (jitter), or what surfaces send back alone (speckle); 1 is no
+  /// change.
   [[nodiscard]] virtual bool fluctuates() const { return false; }
+  [[nodiscard]] virtual bool fluctuatesOnSurfaces() const { return false; }
   [[nodiscard]] virtual double fluctuation(const Beam&, core::Random&) const { return 1.0; }
   /// Changes the receiver for one beam: noise, threshold, saturation.
   [[nodiscard]] virtual bool changesReceiver() const { return false; }

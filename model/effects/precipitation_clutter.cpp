@@ -170,7 +170,7 @@ class Falling final : public Disturbance {
     const Shadows shadows(particles);
     for (Pulse& pulse : pulses) pulse.power_w *= shadows.lightBehind(pulse.range_m);
     for (const Field::Particle& particle : particles)
-      pulses.push_back({particle.range_m, particle.power_w * shadows.lightBehind(particle.range_m)});
+      pulses.push_back({particle.range_m, particle.power_w * shadows.lightBehind(particle.range_m), false});
   }
 
  private:

@@ -134,7 +134,7 @@ class Spray final : public Disturbance {
     const double reflected_1_sr = cluster.extinction_1_m / kLidarRatioOfDroplets_sr * chord_m;
     const double power_w = view.power_constant_w_m2 * reflected_1_sr / (range_m * range_m) * openShare(view, range_m) *
                            lightAt(clusters, range_m);
-    if (power_w > 0.0) pulses.push_back({range_m, power_w});
+    if (power_w > 0.0) pulses.push_back({range_m, power_w, false});
   }
 
   std::vector<Plume> plumes_;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kNegligible = 1e-3;        ///< of the threshold
 constexpr double kAreaOfGaussian = 1.0645;  ///< of unit peak and unit width at half maximum, sqrt(π / (4 ln 2))
+constexpr double kNearestAir_m = 0.1;       ///< 1/r² has no end, and no profile says what the optics make of it there
+constexpr double kGrowthOfCells = 1.1;      ///< near the sensor, where 1/r² and the overlap change within a pulse
 
 /// Mean of openShare over a stretch, so that a surface within it cuts the right share off.
 double meanOpenShare(const BeamView& view, double from_m, double to_m) {
@@ -21,6 +23,25 @@ double meanOpenShare(const BeamView& view, double from_m, double to_m) {
   }
   return std::max(0.0, open);
 }
+
+/// Cells of a stretch of air: growing with the range as long as they are shorter than half a pulse, then all alike.
+class Cells {
+ public:
+  Cells(double from_m, double to_m, double longest_m)
+      : to_m_(to_m), even_from_m_(std::clamp(longest_m / (kGrowthOfCells - 1.0), from_m, to_m)) {
+    const double even_m = to_m_ - even_from_m_;
+    step_m_ = even_m / std::max(1.0, std::ceil(even_m / longest_m));
+  }
+
+  /// Where the cell ends that begins there. The last one ends at the end, whatever its steps add up to.
+  [[nodiscard]] double endOf(double begin_m) const {
+    if (begin_m < even_from_m_) return std::min(begin_m * kGrowthOfCells, even_from_m_);
+    return to_m_ - begin_m < 1.5 * step_m_ ? to_m_ : begin_m + step_m_;
+  }
+
+ private:
+  double to_m_, even_from_m_, step_m_ = 0.0;
+};
 
 }  // namespace
 
@@ -36,24 +57,23 @@ double openShare(const BeamView& view, double range_m) {
 
 void addSoftTarget(const BeamView& view, SoftTarget target, std::vector<Pulse>& pulses) {
   const ChainSettings& settings = view.settings;
-  target.from_m = std::max(target.from_m, settings.detection.min_range_m);
+  target.from_m = std::max({target.from_m, settings.detection.min_range_m, kNearestAir_m});
   target.to_m = std::min(target.to_m, settings.detection.max_range_m);
-  const double length_m = target.to_m - target.from_m;
-  if (length_m <= 0.0 || target.backscatter_1_m_sr <= 0.0) return;
+  if (target.to_m <= target.from_m || target.backscatter_1_m_sr <= 0.0) return;
   const double width_m = pulseLength_m(settings.emitter);
-  const double cells = std::ceil(length_m / (width_m / 2.0));
-  const double step_m = length_m / cells;
+  const Cells cells(target.from_m, target.to_m, width_m / 2.0);
   const double constant_w_m = view.power_constant_w_m2 * target.backscatter_1_m_sr;
   const double least_w_1_m = kNegligible * settings.receiver.threshold_w / (kAreaOfGaussian * width_m);
-  const double first_m = target.from_m + step_m / 2.0, of_step = std::exp(-2.0 * target.extinction_1_m * step_m);
-  double passed = std::exp(-2.0 * target.extinction_1_m * (first_m - target.extinction_from_m));  // there and back
-  for (double k = 0.0; k < cells; k += 1.0, passed *= of_step) {
-    const double begin_m = target.from_m + k * step_m, range_m = begin_m + step_m / 2.0;
-    const double in_the_open_w_1_m = constant_w_m * passed / (range_m * range_m);
-    const double open = meanOpenShare(view, begin_m, begin_m + step_m);
-    if (in_the_open_w_1_m < least_w_1_m || open <= 1e-9) break;
+  for (double begin_m = target.from_m, end_m = 0.0; begin_m < target.to_m; begin_m = end_m) {
+    end_m = cells.endOf(begin_m);
+    const double of_square_1_m = 1.0 / begin_m - 1.0 / end_m;  // ∫ dr / r², and where its weight lies:
+    const double range_m = std::log(end_m / begin_m) / of_square_1_m;
+    const double passed = std::exp(-2.0 * target.extinction_1_m * (range_m - target.extinction_from_m));
+    const double in_the_open_w = constant_w_m * passed * of_square_1_m;
+    const double open = meanOpenShare(view, begin_m, end_m);
+    if (in_the_open_w < least_w_1_m * (end_m - begin_m) || open <= 1e-9) break;
     const double seen = overlap(settings.emitter, settings.receiver, range_m);
-    if (seen > 0.0) pulses.push_back({range_m, in_the_open_w_1_m * open * seen * step_m});
+    if (seen > 0.0) pulses.push_back({range_m, in_the_open_w * open * seen, false});
   }
 }
 

@@ -5,13 +5,15 @@ namespace model::effects {
 namespace {
 
 /// Coherent light on a rough surface: the received power fluctuates from shot to shot with a gamma distribution of mean
-/// 1 and variance 1/M, M the number of independent speckle looks over aperture, band and surface depth. Source: Goodman
-/// 2007, Speckle Phenomena in Optics, sec. 4.4.
+/// 1 and variance 1/M, M the number of independent speckle looks over aperture, band and surface depth. What air and
+/// drops send back comes from a depth of pulse lengths, many times the coherence length of a pulsed laser diode: its
+/// looks are so many that it does not fluctuate. Source: Goodman 2007, Speckle Phenomena in Optics, sec. 4.4.
 class Speckle final : public Effect {
  public:
   explicit Speckle(const EffectParameters& parameters) : looks_(parameters.numberOr("looks", 20.0)) {}
 
   [[nodiscard]] bool fluctuates() const override { return true; }
+  [[nodiscard]] bool fluctuatesOnSurfaces() const override { return true; }
   [[nodiscard]] double fluctuation(const Beam&, core::Random& random) const override {
     return random.gamma(looks_) / looks_;
   }

@@ -17,7 +17,7 @@ class Spoofing final : public Effect {
   explicit Spoofing(const EffectParameters& parameters)
       : azimuth_deg_(parameters.numberOr("azimuth_deg", 0.0)),
         width_deg_(parameters.numberOr("width_deg", 2.0)),
-        pulse_{parameters.numberOr("range_m", 15.0), parameters.numberOr("power_w", 1e-6)} {}
+        pulse_{parameters.numberOr("range_m", 15.0), parameters.numberOr("power_w", 1e-6), false} {}
 
   [[nodiscard]] bool addsPulses() const override { return true; }
   void addPulses(const BeamView& view, std::vector<Pulse>& pulses) const override {

@@ -6,8 +6,18 @@ namespace model {
 struct Pulse {
   double range_m = 0.0;  ///< c/2 · time of its peak
   double power_w = 0.0;  ///< of its peak
+  /// Sent back by a surface, whose roughness makes coherent light fluctuate; not by air, drops or another emitter.
+  bool of_surface = true;
 
   friend bool operator==(const Pulse&, const Pulse&) = default;
+};
+
+/// What chance makes of the power of one shot; 1 is no change.
+struct Fluctuation {
+  double of_all = 1.0;       ///< of every pulse, and once more
+  double of_surfaces = 1.0;  ///< of what surfaces send back
+
+  [[nodiscard]] double of(const Pulse& pulse) const { return pulse.of_surface ? of_all * of_surfaces : of_all; }
 };
 
 }  // namespace model

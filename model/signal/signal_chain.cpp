@@ -190,15 +190,36 @@ double SignalChain::lowestLevel(const Receiver& receiver) const {
   return receiver.threshold_w * share * spread;
 }
 
+namespace {
+
+/// Stretches of a part of one shot above a level, as they are before what is returned multiplies them.
+double addStretches(const WaveformPart& part, double level_w, const Fluctuation& fluctuation,
+                    std::vector<Stretch>& out) {
+  const bool apart = part.mixed() && fluctuation.of_surfaces != 1.0;
+  const double gain = part.ofSurface() && !apart ? fluctuation.of_all * fluctuation.of_surfaces : fluctuation.of_all;
+  if (gain <= 0.0) return gain;
+  const double least_w = std::max(level_w / gain, part.lowest_level_w());
+  if (apart) {
+    part.withSurfacesAt(fluctuation.of_surfaces).stretchesAbove(least_w, out);
+  } else {
+    part.stretchesAbove(least_w, out);
+  }
+  return gain;
+}
+
+}  // namespace
+
 /// Step 4 of the chain: where the waveform with its noise exceeds the threshold.
-void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
-                           const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const {
+void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver,
+                           const Fluctuation& fluctuation, const core::Random::Key& key, Scratch& scratch,
+                           ShotRecord* record) const {
   scratch.stretches.clear();
   scratch.echoes.clear();
   if (parts.size() == 1 && parts.front().lone() && settings_.emitter.pulse_shape.isGaussian()) {
     const ShotNoise noise = scratch.noise.of(key.frame, 0);
     if (record) record->noise_w.push_back(receiver.noise_w * static_cast<double>(noise.power));
-    if (const auto echo = loneEcho(*parts.front().lone(), receiver, settings_, gain, noise)) {
+    const Pulse& pulse = *parts.front().lone();
+    if (const auto echo = loneEcho(pulse, receiver, settings_, fluctuation.of(pulse), noise)) {
       scratch.echoes.push_back(*echo);
     }
     return;
@@ -209,8 +230,7 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
     const double noise_w = std::min(drawn_w, kLargestNoise * receiver.threshold_w);
     if (record) record->noise_w.push_back(noise_w);
     scratch.of_part.clear();
-    if (gain > 0.0)
-      part.stretchesAbove(std::max((receiver.threshold_w - noise_w) / gain, part.lowest_level_w()), scratch.of_part);
+    const double gain = addStretches(part, receiver.threshold_w - noise_w, fluctuation, scratch.of_part);
     for (Stretch& stretch : scratch.of_part) {
       stretch.peak_w = gain * stretch.peak_w + noise_w;  // from here on with noise, so that merged echoes keep it
       scratch.stretches.push_back(stretch);
@@ -274,13 +294,14 @@ void SignalChain::finish(const Receiver& receiver, const core::Random::Key& key,
   if (record) record->echoes.insert(record->echoes.begin(), echoes.begin(), echoes.end());
 }
 
-double SignalChain::gainOf(const Beam& beam, const core::Random::Key& shot) const {
-  double gain = 1.0;
+Fluctuation SignalChain::fluctuationOf(const Beam& beam, const core::Random::Key& shot) const {
+  Fluctuation fluctuation;
   for (const DrawingEffect& drawing : fluctuating_effects_) {
     core::Random own(drawing.keyOf(shot));
-    gain *= drawing.effect->fluctuation(beam, own);
+    double& factor = drawing.effect->fluctuatesOnSurfaces() ? fluctuation.of_surfaces : fluctuation.of_all;
+    factor *= drawing.effect->fluctuation(beam, own);
   }
-  return gain;
+  return fluctuation;
 }
 
 /// Most shots are disturbed by nothing: a drop is in few of them, a plume in few beams.
@@ -294,9 +315,9 @@ void SignalChain::fireShot(const Loaded& beam, const Receiver& receiver, const c
     if (record) record->pulses = scratch.of_shot;
     if (!calm) scratch.parts = partsOf(scratch.of_shot, formOf(settings_), lowestLevel(receiver));
   }
-  const double gain = gainOf(beam.view.beam, key);
-  if (record) record->gain = gain;
-  listenTo(calm ? scratch.calm : scratch.parts, receiver, gain, key, scratch, record);
+  const Fluctuation fluctuation = fluctuationOf(beam.view.beam, key);
+  if (record) record->fluctuation = fluctuation;
+  listenTo(calm ? scratch.calm : scratch.parts, receiver, fluctuation, key, scratch, record);
   finish(receiver, key, scratch, record);
 }
 
@@ -321,7 +342,7 @@ void SignalChain::fireBeam(const Loaded& beam, const RunOptions& options, const 
   }
 }
 
-/// Beams with one pulse are fired all at once, where nothing but their echo's own noise is random.
+/// Beams with one pulse, of a surface, are fired all at once, where nothing but their echo's own noise is random.
 void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch,
                            std::vector<Shot>& out) const {
   LonePulses& lone = scratch.lone;
@@ -332,7 +353,8 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
     for (std::size_t i = 0; i < lone.size() && !fluctuating_effects_.empty(); ++i) {
       core::Random::Key shot = key;
       shot.beam = lone.beam(i);
-      scratch.gain[i] = gainOf(traced.beams[lone.beam(i) - scratch.first_beam], shot);
+      const Fluctuation fluctuation = fluctuationOf(traced.beams[lone.beam(i) - scratch.first_beam], shot);
+      scratch.gain[i] = fluctuation.of_all * fluctuation.of_surfaces;
     }
     lone.fire(settings_, key, scratch.gain);
     for (const Effect* effect : echo_effects_) {
@@ -367,7 +389,7 @@ void SignalChain::fireTile(const TracedBeams& traced, const Pulses& pulses, cons
     if (closed_form && of_beam.empty()) continue;
     const HitsOfBeam hits = traced.hitsOf(b);
     const BeamView view = power.viewOf(traced.beams[b], hits, traced.rays);
-    if (closed_form && of_beam.size() == 1) {
+    if (closed_form && of_beam.size() == 1 && of_beam.front().of_surface) {
       scratch.lone.add(index, of_beam.front(), noiseOf_w(view, settings_.receiver));
       continue;
     }

@@ -35,8 +35,8 @@ struct RunOptions {
 
 /// What happened in one shot besides its echoes; written down on demand.
 struct ShotRecord {
-  std::vector<Pulse> pulses;    ///< before the fluctuation
-  double gain = 1.0;            ///< fluctuation of the whole shot
+  std::vector<Pulse> pulses;  ///< before the fluctuation
+  Fluctuation fluctuation;
   Receiver receiver;            ///< as it was for this beam
   std::vector<double> noise_w;  ///< per part of the waveform
   std::vector<Echo> echoes;     ///< all of them, with their fates
@@ -93,7 +93,7 @@ class SignalChain {
                 std::vector<Shot>& out) const;
   void fireShot(const Loaded& beam, const Receiver& receiver, const core::Random::Key& key,
                 const Disturbances& disturbances, Scratch& scratch, ShotRecord* record) const;
-  void listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, double gain,
+  void listenTo(const std::vector<WaveformPart>& parts, const Receiver& receiver, const Fluctuation& fluctuation,
                 const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;
   [[nodiscard]] Receiver receiverOf(const BeamView& view) const;
   /// Standard deviation of a beam's noise, that of its receiver given.
@@ -101,7 +101,7 @@ class SignalChain {
   [[nodiscard]] double lowestLevel(const Receiver& receiver) const;
   [[nodiscard]] Pulses coupledPulses(const BeamHits& geometry, const PowerStage& power) const;
   void fireLone(const TracedBeams& traced, const RunOptions& options, Scratch& scratch, std::vector<Shot>& out) const;
-  [[nodiscard]] double gainOf(const Beam& beam, const core::Random::Key& shot) const;
+  [[nodiscard]] Fluctuation fluctuationOf(const Beam& beam, const core::Random::Key& shot) const;
   void count(Echo& echo) const;
   [[nodiscard]] bool insideWindow(const Echo& echo) const;
   void finish(const Receiver& receiver, const core::Random::Key& key, Scratch& scratch, ShotRecord* record) const;

@@ -55,11 +55,13 @@ void mergeNearPulses(std::vector<Pulse>& pulses, double bin_m) {
   for (std::size_t i = 0; i < pulses.size();) {
     const double first_m = pulses[i].range_m;
     double power = 0.0, moment = 0.0;
+    bool of_surface = false;
     for (; i < pulses.size() && pulses[i].range_m - first_m < bin_m; ++i) {
       power += pulses[i].power_w;
       moment += pulses[i].power_w * (pulses[i].range_m - first_m);
+      of_surface = of_surface || pulses[i].of_surface;
     }
-    if (power > 0.0) pulses[kept++] = {first_m + moment / power, power};
+    if (power > 0.0) pulses[kept++] = {first_m + moment / power, power, of_surface};
   }
   pulses.resize(kept);
 }
@@ -158,7 +160,9 @@ FIDELIS_FOR_EVERY_PROCESSOR void addBlocks(double* __restrict sample, std::ptrdi
 }  // namespace
 
 WaveformPart::WaveformPart(const PartOfPulses& part, const PulseForm& form, double lowest_level_w)
-    : form_(form), lowest_level_w_(lowest_level_w) {
+    : form_(form), tail_m_(part.tail_m), lowest_level_w_(lowest_level_w) {
+  const auto of_surface = [](const Pulse& pulse) { return pulse.of_surface; };
+  of_surface_ = std::any_of(part.pulses.begin(), part.pulses.end(), of_surface);
   if (part.pulses.size() == 1) {
     lone_ = part.pulses.front();
     highest_w_ = lone_.power_w;
@@ -169,16 +173,38 @@ WaveformPart::WaveformPart(const PartOfPulses& part, const PulseForm& form, doub
   const auto samples = static_cast<std::size_t>((part.to_m - start_m_) / step_m_ + 2.0) + 2;
   signal_.resize(samples, 0.0);
   log_.resize(samples, std::numeric_limits<double>::quiet_NaN());
-  if (form.shape.isGaussian()) {
-    addGaussians(part.pulses, part.tail_m);
-  } else {
-    addMeasured(part.pulses);
+  if (of_surface_ && !std::all_of(part.pulses.begin(), part.pulses.end(), of_surface)) {
+    std::copy_if(part.pulses.begin(), part.pulses.end(), std::back_inserter(among_others_), of_surface);
   }
+  add(part.pulses);
   runsAbove(lowest_level_w_, signal_, 0, signal_.size(),
             [&](std::size_t begin, std::size_t end) { audible_.emplace_back(begin, end); });
-  // The sampled maximum lies below the true one by at most the parabola's vertex; make it exact.
+  findHighest();
+}
+
+/// The sampled maximum lies below the true one by at most the parabola's vertex; makes it exact.
+void WaveformPart::findHighest() {
   const std::size_t top = highestSample();
   highest_w_ = stretchAt(top, top + 1, 0.0).peak_w;
+}
+
+WaveformPart WaveformPart::withSurfacesAt(double gain) const {
+  WaveformPart changed = *this;
+  std::vector<Pulse> surplus = among_others_;
+  for (Pulse& pulse : surplus) pulse.power_w *= gain - 1.0;
+  changed.add(surplus);
+  std::fill(changed.log_.begin(), changed.log_.end(), std::numeric_limits<double>::quiet_NaN());
+  changed.summit_ = {};
+  changed.findHighest();
+  return changed;
+}
+
+void WaveformPart::add(std::span<const Pulse> pulses) {
+  if (form_.shape.isGaussian()) {
+    addGaussians(pulses, tail_m_);
+  } else {
+    addMeasured(pulses);
+  }
 }
 
 std::size_t WaveformPart::highestSample() const {

@@ -42,14 +42,22 @@ class WaveformPart {
 
   /// All stretches above `level_w`, in order of range; `level_w` must not be below the lowest level.
   void stretchesAbove(double level_w, std::vector<Stretch>& out) const;
+  /// Whether surfaces sent any of it back, and whether they did so together with air, drops or another emitter.
+  [[nodiscard]] bool ofSurface() const noexcept { return of_surface_; }
+  [[nodiscard]] bool mixed() const noexcept { return !among_others_.empty(); }
+  /// A mixed part in which what surfaces send back is `gain` times as strong. What rises above the lowest level only
+  /// then stays silent.
+  [[nodiscard]] WaveformPart withSurfacesAt(double gain) const;
   /// The pulse, if it is the only one.
   [[nodiscard]] const Pulse* lone() const noexcept { return lone_.power_w > 0.0 ? &lone_ : nullptr; }
   [[nodiscard]] double peak_w() const noexcept { return highest_w_; }
   [[nodiscard]] double lowest_level_w() const noexcept { return lowest_level_w_; }
 
  private:
+  void add(std::span<const Pulse> pulses);
   void addGaussians(std::span<const Pulse> pulses, double cut_m);
   void addMeasured(std::span<const Pulse> pulses);
+  void findHighest();
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
   [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
@@ -64,7 +72,10 @@ class WaveformPart {
   [[nodiscard]] Stretch stretchAt(std::size_t begin, std::size_t end, double level_w) const;
 
   Pulse lone_;  ///< the only pulse, if there is but one: it has a closed form and is not sampled
+  bool of_surface_ = false;
+  std::vector<Pulse> among_others_;  ///< of surfaces; empty where there is nothing else, or nothing of them
   PulseForm form_;
+  double tail_m_ = 0.0;
   double start_m_ = 0.0;
   double step_m_ = 0.0;
   double lowest_level_w_ = 0.0;

@@ -32,7 +32,8 @@ struct Air {
 };
 
 // The waveform of fog is the convolution of the lidar equation with the pulse; here by Simpson's rule at the places
-// where the comb's waveform falls through three levels. The comb itself is good to 1e-6, the crossings to microns.
+// where the comb's waveform falls through three levels. A cell of half a pulse loses (w/2)²/24 of the curvature, and
+// that of exp(-2 α r) / r² is (6/r² + 8 α/r + 4 α²).
 TEST(AtmosphericBackscatter, WaveformIsTheConvolutionOfLidarEquationAndPulse) {
   std::vector<Pulse> pulses = lab::pulses(fog({{"visibility_m", 50}}));
   const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
@@ -45,8 +46,32 @@ TEST(AtmosphericBackscatter, WaveformIsTheConvolutionOfLidarEquationAndPulse) {
     const auto integrand = [&](double r) {
       return Air{}.power_w_m(r) * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
     };
-    EXPECT_NEAR(lab::integral(kNearest_m, at_m + 6.0, integrand) / level_w, 1.0, 2e-4) << at_m;
+    const double a = Air{}.extinction_1_m, curvature = 6.0 / (at_m * at_m) + 8.0 * a / at_m + 4.0 * a * a;
+    EXPECT_NEAR(lab::integral(kNearest_m, at_m + 6.0, integrand) / level_w, 1.0, kWidth_m * kWidth_m / 96 * curvature)
+        << at_m;
   }
+}
+
+// Half a metre from the sensor 1/r² falls by three quarters within half a pulse. Where the waveform rises and falls
+// through a level, and how high it is, by Simpson's rule.
+TEST(AtmosphericBackscatter, NearEchoIsTheConvolutionHalfAMetreAway) {
+  lab::Case setup = fog({{"visibility_m", 50}});
+  setup.sensor["detection"]["min_range_m"] = 0.5;
+  std::vector<Pulse> pulses = lab::pulses(setup);
+  const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
+  ASSERT_EQ(parts.size(), 1u);
+  const auto waveform_w = [](double at_m) {
+    return lab::integral(0.5, at_m + 6.0, [&](double r) {
+      return Air{}.power_w_m(r) * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
+    });
+  };
+  const double level_w = 0.5 * parts[0].peak_w();
+  std::vector<Stretch> stretches;
+  parts[0].stretchesAbove(level_w, stretches);
+  ASSERT_EQ(stretches.size(), 1u);
+  EXPECT_NEAR(waveform_w(stretches[0].rise_m) / level_w, 1.0, 5e-3);
+  EXPECT_NEAR(waveform_w(stretches[0].fall_m) / level_w, 1.0, 5e-3);
+  EXPECT_NEAR(waveform_w(stretches[0].peak_m) / stretches[0].peak_w, 1.0, 5e-3);
 }
 
 TEST(AtmosphericBackscatter, NearEchoStandsWhereTheReceiverBeginsToListen) {

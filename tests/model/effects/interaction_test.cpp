@@ -79,5 +79,49 @@ TEST(Speckle, FluctuationHasMeanOneAndVarianceOneOverLooks) {
   }
 }
 
+struct Glitter {
+  double near_share, board_share;  ///< standard deviation over mean of the intensities
+};
+
+/// A board behind the near echo of a fog, both far above the threshold.
+Glitter glitterInFog(double board_m, const std::string& effect, const json& parameters) {
+  lab::Case setup = lab::boardWith(board_m, effect, parameters);
+  setup.sensor["detection"]["min_range_m"] = 2.0;
+  setup.effects["atmospheric-backscatter"] = {{"visibility_m", 50.0}};
+  setup.frames = 2000;
+  const core::Detections detections = lab::fire(setup);
+  std::vector<double> near, board;
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    (detections.range_m[i] < board_m / 2.0 ? near : board).push_back(detections.intensity[i]);
+  }
+  EXPECT_EQ(near.size(), 2000U);
+  EXPECT_EQ(board.size(), 2000U);
+  return {lab::deviation(near) / lab::mean(near), lab::deviation(board) / lab::mean(board)};
+}
+
+// What droplets send back comes from a depth of pulse lengths: it does not glitter, whether its waveform reaches to the
+// board's or not; a jitter of the emitted power is in both.
+TEST(Speckle, LeavesTheEchoOfFogAsItIs) {
+  for (const double board_m : {18.0, 25.0}) {
+    const Glitter glitter = glitterInFog(board_m, "speckle", {{"looks", 25.0}});
+    EXPECT_LT(glitter.near_share, 1e-3) << board_m;
+    EXPECT_NEAR(glitter.board_share, 0.2, 0.02) << board_m;
+  }
+  const Glitter jitter = glitterInFog(25.0, "pulse-jitter", {{"power_stddev", 0.2}});
+  EXPECT_NEAR(jitter.near_share, 0.2, 0.02);
+  EXPECT_NEAR(jitter.board_share, 0.2, 0.02);
+}
+
+// The copy of a pulse that somebody sends comes from no surface.
+TEST(Speckle, LeavesAFalseTargetAsItIs) {
+  lab::Case setup = lab::boardWith(5, "speckle", {{"looks", 25.0}});
+  setup.scene.clear();
+  setup.effects["spoofing"] = {{"azimuth_deg", 0.0}, {"range_m", 15.0}, {"power_w", 1e-6}};
+  setup.frames = 200;
+  const std::vector<double> intensity = lab::fire(setup).intensity;
+  ASSERT_EQ(intensity.size(), 200U);
+  EXPECT_NEAR(lab::deviation(intensity), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace model

@@ -158,6 +158,38 @@ TEST(Waveform, SilentTailOfAFogIsNoPartButReachesIntoOthers) {
   }
 }
 
+// A fog sends its share as ever while the board in front of its tail glitters; the slow sampling adds the same pulses
+// with the powers that they then have.
+TEST(Waveform, SurfacesOfAMixedPartFluctuateAlone) {
+  std::vector<Pulse> pulses;
+  for (double range_m = 2.0; range_m < 6.0; range_m += kFwhm_m / 2.0) pulses.push_back({range_m, 2.0, false});
+  pulses.push_back({6.2, 3.0});
+  pulses.push_back({7.0, 1.0});
+  for (const double gain : {0.0, 0.4, 1.0, 2.5}) {
+    std::vector<Pulse> fluctuating = pulses, unchanged = pulses;
+    for (Pulse& pulse : fluctuating) pulse.power_w *= pulse.of_surface ? gain : 1.0;
+    const std::vector<WaveformPart> parts = partsOf(unchanged, {kFwhm_m, {}}, 0.01);
+    ASSERT_EQ(parts.size(), 1U);
+    ASSERT_TRUE(parts[0].mixed());
+    std::vector<Stretch> got;
+    parts[0].withSurfacesAt(gain).stretchesAbove(1.0, got);
+    const auto expected = bruteForce(fluctuating, 1.0, 0.0, 10.0, 1e-4);
+    ASSERT_EQ(got.size(), expected.size()) << gain;
+    EXPECT_NEAR(got[0].rise_m, expected[0].rise_m, 1e-3) << gain;
+    EXPECT_NEAR(got[0].fall_m, expected[0].fall_m, 1e-3) << gain;
+    EXPECT_NEAR(got[0].peak_w / expected[0].peak_w, 1.0, 2.5e-3) << gain;
+  }
+}
+
+TEST(Waveform, PartKnowsWhetherSurfacesSentIt) {
+  std::vector<Pulse> pulses = {{10.0, 1.0, false}, {10.3, 1.0, false}, {30.0, 1.0, true}, {50.0, 1.0, false}};
+  const std::vector<WaveformPart> parts = partsOf(pulses, {kFwhm_m, {}}, 0.1);
+  ASSERT_EQ(parts.size(), 3U);
+  const auto of_surface = [&](std::size_t part) { return parts[part].ofSurface(); };
+  EXPECT_EQ((std::vector{of_surface(0), of_surface(1), of_surface(2)}), (std::vector{false, true, false}));
+  for (const WaveformPart& part : parts) EXPECT_FALSE(part.mixed());
+}
+
 /// A form that was measured: a triangle, one width wide at half its height.
 PulseForm triangle() { return {kFwhm_m, PulseShape({-1.0, 0.0, 1.0}, {0.0, 1.0, 0.0})}; }
 
