@@ -60,9 +60,10 @@ void move(const Replay& replay, const Offset& offset, double by) {
       CellStatistics& s = comparison->simulated[c];
       const double shift_m = by * static_cast<double>(tolerance->range_per_unit[c]);
       if (shift_m == 0.0 || s.count == 0.0) continue;
+      s.moveMean(kRange, shift_m);
+      if (c >= sample.layout->surfaces()) continue;
       const double of_power = -2.0 * shift_m / sample.layout->cells()[c].anchor_m;  // relative
       const double epw_m = s.mean(kEpw);
-      s.moveMean(kRange, shift_m);
       s.moveMean(kIntensity, of_power * s.mean(kIntensity));
       if (epw_m > 0.1 * pulse_m) s.moveMean(kEpw, of_power * pulse_m * pulse_m / (2.0 * std::numbers::ln2 * epw_m));
     }

@@ -13,6 +13,8 @@ namespace gap {
 namespace {
 
 constexpr int kBaselineFrames = 6;             // enough for means
+constexpr double kPlaceOfAir = 0.02;           // of the pulse's length
+constexpr double kOftenSeen = 0.3;             // of the frames: rarer echoes come from anywhere
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 constexpr std::size_t kMostCells = 4000000;    // of sensors that a world leaves alone, remembered, 56 bytes each
@@ -29,6 +31,22 @@ void addShareErrors(ReplaySample& sample) {
     const double share = sample.layout->cells()[c].share;
     if (share < kWholeBeam) sample.power_deviation[c] = std::hypot(sample.power_deviation[c], kShareError / share);
   }
+}
+
+/// Echoes that no surface makes lie where the receiver begins to listen to the air, or where a cloud becomes dense:
+/// that is known to a small part of the pulse's length, and for all of them alike.
+void addToleranceOfAir(ReplaySample& sample, const model::Emitter& emitter) {
+  const CellLayout& layout = *sample.layout;
+  if (layout.pooled()) return;
+  const double within_m = kPlaceOfAir * core::kMetresPerNanosecond * emitter.pulse_fwhm_ns / 2.0;
+  Tolerance tolerance{"", -within_m, within_m, std::vector<float>(layout.cells().size(), 0.0F)};
+  bool any = false;
+  for (std::size_t c = layout.surfaces(); c < layout.cells().size(); ++c) {
+    if (layout.cells()[c].at_edge || sample.statistics[c].count < kOftenSeen * sample.frames) continue;
+    tolerance.range_per_unit[c] = 1.0F;
+    any = true;
+  }
+  if (any) sample.tolerances.push_back(std::move(tolerance));
 }
 
 }  // namespace
@@ -69,6 +87,7 @@ void Replay::pairWithBaseline(std::size_t s) {
   sample.power_deviation.resize(sample.layout->cells().size());
   for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);
   addShareErrors(sample);
+  addToleranceOfAir(sample, baseline_.model.sensor(sensor).emitter);
   sample.baseline = simulate(baseline_, s, kBaselineFrames, seed());
 }
 

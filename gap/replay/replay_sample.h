@@ -15,12 +15,13 @@
 
 namespace gap {
 
-/// A recorded quantity of a sample that is known to within an interval only (`epistemic` of the experiment).
+/// A recorded quantity of a sample that is known to within an interval only (`epistemic` of the experiment), or where
+/// echoes begin that no surface makes.
 struct Tolerance {
-  std::string pointer;
-  double low = 0.0;  ///< offset to the recorded value
+  std::string pointer;  ///< empty of the latter
+  double low = 0.0;     ///< offset to the recorded value
   double high = 0.0;
-  std::vector<float> range_per_unit;  ///< of every surface cell: how its range moves with the quantity [m/unit]
+  std::vector<float> range_per_unit;  ///< of every cell that may move: how its range does with the quantity [m/unit]
 };
 
 /// One sample with its measurement and the cells that pair it with simulations.
