@@ -254,11 +254,15 @@ struct Asked {
   }
 };
 
-/// The pair that takes what the single causes leave of the means, if it holds by all beams and on the total gap.
+/// The pair that takes what the single causes leave of the means, and the pair that earns its place, if there is one;
+/// it must hold by all beams and on the total gap.
 std::optional<Candidate> provenByMeans(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps,
                                        const WhereResult& where, const Decision& decision,
-                                       const core::Progress& progress) {
-  const std::optional<Candidate> nearest = pairByMeans(quick, decision.singles, decision.pairs, progress);
+                                       std::span<const Candidate> earning, const core::Progress& progress) {
+  std::vector<Candidate> leaders(earning.begin(), earning.end());
+  const auto singles = std::span(decision.singles).first(std::min(kLeaders, decision.singles.size()));
+  leaders.insert(leaders.end(), singles.begin(), singles.end());
+  const std::optional<Candidate> nearest = pairByMeans(quick, leaders, decision.pairs, progress);
   if (!nearest) return std::nullopt;
   std::vector<Candidate> polished{*nearest};
   polish(exact, gaps, polished, where, progress);
@@ -300,13 +304,14 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
     if (plainest.hypothesis.name != best.hypothesis.name)
       earning = asked.firstThatEarns(heard, plainest, restOf(exact, plainest));
   }
-  if (earning == heard.end()) {
-    const std::optional<Candidate> proven = provenByMeans(quick, exact, gaps, where, decision, progress);
-    if (!proven) return false;
+  const std::span named(earning, earning == heard.end() ? earning : earning + 1);
+  if (const auto proven = provenByMeans(quick, exact, gaps, where, decision, named, progress)) {
     std::erase_if(pairs, [&](const Candidate& pair) { return samePair(pair, *proven); });
     pairs.insert(pairs.begin(), *proven);
-  } else {
+  } else if (!named.empty()) {
     std::rotate(heard.begin(), earning, earning + 1);
+  } else {
+    return false;
   }
   leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));
   nameFirstOf(pairs, quick, exact, decision);

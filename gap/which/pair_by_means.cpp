@@ -1,8 +1,6 @@
 #include "gap/which/pair_by_means.h"
 
 #include <algorithm>
-#include <span>
-#include <utility>
 
 #include "core/parallel.h"
 #include "gap/which/tried.h"
@@ -12,32 +10,44 @@ namespace gap {
 namespace {
 
 constexpr double kMaterial = 0.05;  // of the squared deviations of the model as it is: less is how programs differ
-constexpr double kLeft = 0.1;       // of those that the nearest single cause leaves
+constexpr double kLeft = 0.1;       // of those that the nearest leader leaves
+constexpr double kOnlyNoise = 0.5;  // of the noise, beyond it: so little a pair leaves where no programs differ
 
-/// Which of some candidates is nearest by the means, and its criterion. There is one at least.
-std::pair<const Candidate*, double> nearest(const Judge& quick, std::span<const Candidate> candidates,
-                                            const core::Progress& progress) {
-  std::vector<double> bic(candidates.size());
-  core::parallelFor(bic.size(), 1, [&](std::size_t i, std::size_t) {
+/// A candidate, and what it leaves: Σ z² with the price of its numbers, beyond the n that a right one leaves.
+struct Left {
+  const Candidate* candidate;
+  double beyond_noise;
+  double noise;
+};
+
+/// Which of some candidates leaves least. There is one at least.
+Left nearest(const Judge& quick, std::span<const Candidate> candidates, const core::Progress& progress) {
+  std::vector<Left> left(candidates.size());
+  core::parallelFor(left.size(), 1, [&](std::size_t i, std::size_t) {
     core::stopIfCancelled(progress);
     const Candidate& candidate = candidates[i];
     const World world = worldOf(quick.replay, candidate.hypothesis, candidate.values);
-    bic[i] = bicOf(quick.replay, world, quick.split.refined, candidate.values.size());
+    const MeansApart means = meansApart(quick.replay, world, quick.split.refined);
+    const auto noise = static_cast<double>(means.terms);
+    left[i] = {&candidate, bicOf(means, candidate.values.size()) - noise, noise};
   });
-  const auto least = std::min_element(bic.begin(), bic.end());
-  return {&candidates[static_cast<std::size_t>(least - bic.begin())], *least};
+  return *std::min_element(left.begin(), left.end(),
+                           [](const Left& a, const Left& b) { return a.beyond_noise < b.beyond_noise; });
 }
 
 }  // namespace
 
-std::optional<Candidate> pairByMeans(const Judge& quick, const std::vector<Candidate>& singles,
+std::optional<Candidate> pairByMeans(const Judge& quick, std::span<const Candidate> leaders,
                                      const std::vector<Candidate>& pairs, const core::Progress& progress) {
-  if (singles.empty() || pairs.empty()) return std::nullopt;
-  const std::span leaders = std::span(singles).first(std::min(kLeaders, singles.size()));
-  const double single = nearest(quick, leaders, progress).second;
-  if (single < kMaterial * bicOf(quick.replay, quick.replay.baseline(), quick.split.refined, 0)) return std::nullopt;
-  const auto [pair, left] = nearest(quick, pairs, progress);
-  return left < kLeft * single ? std::optional(*pair) : std::nullopt;
+  if (leaders.empty() || pairs.empty()) return std::nullopt;
+  const Left leader = nearest(quick, leaders, progress);
+  const double at_first = meansApart(quick.replay, quick.replay.baseline(), quick.split.refined).sum;
+  const bool material = leader.beyond_noise >= kMaterial * at_first;
+  if (!material && leader.beyond_noise < leader.noise) return std::nullopt;
+  const Left pair = nearest(quick, pairs, progress);
+  const bool agree = pair.beyond_noise < kOnlyNoise * pair.noise;
+  const bool takes = pair.beyond_noise < kLeft * leader.beyond_noise;
+  return takes && (material || agree) ? std::optional(*pair.candidate) : std::nullopt;
 }
 
 }  // namespace gap

@@ -20,17 +20,6 @@ constexpr std::size_t kSignatureSamples = 4;
 constexpr int kSignatureFrames = 4;
 constexpr int kDigits = 8;  // of numbers in the list
 
-/// Sum of z² over terms, and how many they are.
-struct ChiSquare {
-  double sum = 0.0;
-  std::size_t terms = 0;
-
-  void add(double z) {
-    sum += z * z;
-    ++terms;
-  }
-};
-
 /// Difference of two shares of shots detected in its binomial standard error; half a detection is added to each side,
 /// so that none and all have an error, too.
 double rateDifference(double measured, int measured_frames, double simulated, int simulated_frames) {
@@ -40,18 +29,18 @@ double rateDifference(double measured, int measured_frames, double simulated, in
          std::sqrt(variance / measured_frames + variance / simulated_frames);
 }
 
-void addCells(const Replay& replay, const Comparison& comparison, Part part, ChiSquare& chi_square) {
+void addCells(const Replay& replay, const Comparison& comparison, Part part, MeansApart& means) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
     const CellStatistics &m = measured[c], &s = simulated[c];
     if (!takesPart(sample, sample.layout->cells()[c], part) || (m.count == 0.0 && s.count == 0.0)) continue;
-    if (!sample.layout->pooled()) chi_square.add(rateDifference(m.count, measured_frames, s.count, simulated_frames));
+    if (!sample.layout->pooled()) means.add(rateDifference(m.count, measured_frames, s.count, simulated_frames));
     const bool lost = m.count == 0.0 || s.count == 0.0;
     const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
     for (const Channel channel : replay.channels()) {
-      chi_square.add(lost ? kFar * std::max(0.0, rate - kOftenDetected)
-                          : (m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
+      means.add(lost ? kFar * std::max(0.0, rate - kOftenDetected)
+                     : (m.mean(channel) - s.mean(channel)) / comparableError(replay, sample, c, channel, m, s));
     }
   }
 }
@@ -102,22 +91,26 @@ Tried told(const Judge& judge, const Candidate& candidate, std::size_t rank) {
   tried.explained = candidate.explained;
   const World world = worldOf(judge.replay, hypothesis, candidate.values);
   tried.discrepancy = discrepancyOf(judge.replay, world, judge.split.held_out);
-  tried.bic = bicOf(judge.replay, world, judge.split.refined, numbersFitted(judge, hypothesis));
+  tried.bic = bicOf(meansApart(judge.replay, world, judge.split.refined), numbersFitted(judge, hypothesis));
   return tried;
 }
 
 }  // namespace
 
-double bicOf(const Replay& replay, const World& world, const Evidence& fitted, std::size_t free_numbers) {
-  ChiSquare chi_square;
+MeansApart meansApart(const Replay& replay, const World& world, const Evidence& fitted) {
+  MeansApart means;
   for (const std::size_t s : fitted.samples) {
     const ReplaySample& sample = replay.samples()[s];
     const int frames = std::min(fitted.most_frames, std::max(3, sample.frames));
     addCells(replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, fitted.seed), frames},
-             fitted.part, chi_square);
+             fitted.part, means);
   }
-  const double terms = static_cast<double>(std::max<std::size_t>(1, chi_square.terms));
-  return chi_square.sum + static_cast<double>(free_numbers) * std::log(terms);
+  return means;
+}
+
+double bicOf(const MeansApart& means, std::size_t free_numbers) {
+  const double terms = static_cast<double>(std::max<std::size_t>(1, means.terms));
+  return means.sum + static_cast<double>(free_numbers) * std::log(terms);
 }
 
 std::vector<Tried> triedOf(const Judge& judge, const std::vector<Candidate>& singles,
@@ -128,7 +121,7 @@ std::vector<Tried> triedOf(const Judge& judge, const std::vector<Candidate>& sin
   std::vector<Tried> tried(1 + singles.size() + pairs.size());
   tried.front().kind = "none";
   tried.front().discrepancy = judge.yardstick.baseline;
-  tried.front().bic = bicOf(replay, replay.baseline(), judge.split.refined, 0);
+  tried.front().bic = bicOf(meansApart(replay, replay.baseline(), judge.split.refined), 0);
   core::parallelFor(tried.size() - 1, 1, [&](std::size_t i, std::size_t) {
     core::stopIfCancelled(progress);
     const bool single = i < singles.size();

@@ -25,18 +25,27 @@ struct Tried {
   std::optional<double> similarity;  ///< largest cosine of its signature with the measurement's; not of none and pairs
 };
 
-/// Bayesian information criterion of a world on fitted data if all cell means were independent and normal:
-///
-///   BIC = Σ z² + k ln n
+/// How far the cell means of a world are from fitted data. Σ z² is about n where the world is right:
 ///
 ///   z  difference of a cell's mean over its standard error (comparableError), of every channel, and of the share of
 ///      shots detected; a surface that only one side detects counts as far off in every channel
 ///   n  number of terms
-///   k  free numbers
 ///
 /// That they are not independent (set-ups, tolerances of the reference) is what this judge does not know.
+struct MeansApart {
+  double sum = 0.0;       ///< Σ z²
+  std::size_t terms = 0;  ///< n
+
+  void add(double z) {
+    sum += z * z;
+    ++terms;
+  }
+};
+[[nodiscard]] MeansApart meansApart(const Replay& replay, const World& world, const Evidence& fitted);
+
+/// Bayesian information criterion, Σ z² + k ln n with k free numbers, were all means independent and normal.
 /// Source: Schwarz 1978, Ann. Stat. 6, 461.
-[[nodiscard]] double bicOf(const Replay& replay, const World& world, const Evidence& fitted, std::size_t free_numbers);
+[[nodiscard]] double bicOf(const MeansApart& means, std::size_t free_numbers);
 
 /// All that was tried, "none" first, then single causes and pairs in the order in which they were ranked.
 [[nodiscard]] std::vector<Tried> triedOf(const Judge& judge, const std::vector<Candidate>& singles,

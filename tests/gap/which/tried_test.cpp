@@ -98,7 +98,7 @@ class Bic : public testing::Test {
   double of(const SmallWorld::Effects& effects, std::size_t free_numbers = 0) const {
     gap::World world = replay_.baseline();
     world.model = SmallWorld::modelWith(effects);
-    return gap::bicOf(replay_, world, gap::splitOf(replay_, 1).refined, free_numbers);
+    return gap::bicOf(gap::meansApart(replay_, world, gap::splitOf(replay_, 1).refined), free_numbers);
   }
 
   SmallWorld world_;
