@@ -53,6 +53,9 @@ struct Decision {
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
+/// The share of the gap that a cause must account for to be named.
+[[nodiscard]] double enoughToName(const Yardstick& yardstick);
+
 /// Whether a cause leaves so much of the gap that follows a law (`left`, Rest::belowCeiling) that it is not the cause;
 /// not so if next to nothing is left by another measure, of the discrepancy or of the total gap, or if the values show
 /// the cause by themselves.
