@@ -13,7 +13,8 @@ namespace {
 constexpr double kNegligible = 1e-3;        ///< of the threshold
 constexpr double kAreaOfGaussian = 1.0645;  ///< of unit peak and unit width at half maximum, sqrt(π / (4 ln 2))
 constexpr double kNearestAir_m = 0.1;       ///< 1/r² has no end, and no profile says what the optics make of it there
-constexpr double kGrowthOfCells = 1.1;      ///< near the sensor, where 1/r² and the overlap change within a pulse
+constexpr double kLeastCells = 8.0;     ///< or a cloud shorter than a pulse would be one pulse, too high and too short
+constexpr double kGrowthOfCells = 1.1;  ///< near the sensor, where 1/r² and the overlap change within a pulse
 
 /// Mean of openShare over a stretch, so that a surface within it cuts the right share off.
 double meanOpenShare(const BeamView& view, double from_m, double to_m) {
@@ -61,7 +62,8 @@ void addSoftTarget(const BeamView& view, SoftTarget target, std::vector<Pulse>& 
   target.to_m = std::min(target.to_m, settings.detection.max_range_m);
   if (target.to_m <= target.from_m || target.backscatter_1_m_sr <= 0.0) return;
   const double width_m = pulseLength_m(settings.emitter);
-  const Cells cells(target.from_m, target.to_m, width_m / 2.0);
+  const double longest_m = std::min(width_m / 2.0, (target.to_m - target.from_m) / kLeastCells);
+  const Cells cells(target.from_m, target.to_m, longest_m);
   const double constant_w_m = view.power_constant_w_m2 * target.backscatter_1_m_sr;
   const double least_w_1_m = kNegligible * settings.receiver.threshold_w / (kAreaOfGaussian * width_m);
   for (double begin_m = target.from_m, end_m = 0.0; begin_m < target.to_m; begin_m = end_m) {

@@ -143,6 +143,29 @@ TEST(ExhaustCloud, SendsBackTheScatteredShare) {
   EXPECT_TRUE(lab::pulses(setup).empty());
 }
 
+// 0.7 m of air are as long as the pulse: its echo is lower and wider than one pulse of the same energy, by a sixth.
+TEST(ExhaustCloud, EchoOfAShortOneIsTheConvolution) {
+  lab::Case setup;
+  setup.effects["exhaust-cloud"] = cloud(10);
+  setup.effects["exhaust-cloud"]["size_m"] = 0.7;
+  std::vector<Pulse> pulses = lab::pulses(setup);
+  const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
+  ASSERT_EQ(parts.size(), 1u);
+  const auto waveform_w = [](double at_m) {
+    return lab::integral(9.65, 10.35, [&](double r) {
+      const double in_a_slice = 0.5 * 0.3 / 18.8 * std::exp(-2.0 * 0.3 * (r - 9.65)) / (r * r);
+      return constant_w_m2() * in_a_slice * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
+    });
+  };
+  const double level_w = 0.5 * parts[0].peak_w();
+  std::vector<Stretch> stretches;
+  parts[0].stretchesAbove(level_w, stretches);
+  ASSERT_EQ(stretches.size(), 1u);
+  EXPECT_NEAR(waveform_w(stretches[0].peak_m) / stretches[0].peak_w, 1.0, 5e-3);
+  EXPECT_NEAR(waveform_w(stretches[0].rise_m) / level_w, 1.0, 5e-3);
+  EXPECT_NEAR(waveform_w(stretches[0].fall_m) / level_w, 1.0, 5e-3);
+}
+
 TEST(ExhaustCloud, RefusesACentreThatIsNoPoint) {
   lab::Case setup = lab::boardWith(20, "exhaust-cloud", {{"centre", {1.0, 2.0}}});
   EXPECT_NE(lab::refusal([&] { (void)lab::modelOf(setup); }).find("centre"), std::string::npos);
