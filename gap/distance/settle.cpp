@@ -70,6 +70,11 @@ void move(const Replay& replay, const Offset& offset, double by) {
   }
 }
 
+/// Echoes that no surface makes and that no offset brings together have nothing to do with each other.
+bool tooFar(const CellStatistics& measured, const CellStatistics& simulated, const Offset& offset) {
+  return std::abs(measured.mean(kRange) - simulated.mean(kRange)) > offset.high - offset.low;
+}
+
 /// One step of reweighted least squares for the robust loss ρ of `discrepancy`.
 double stepOf(const Replay& replay, const Offset& offset, Part part) {
   double pull = -offset.value / offset.variance, stiffness = 1.0 / offset.variance;
@@ -80,6 +85,7 @@ double stepOf(const Replay& replay, const Offset& offset, Part part) {
       const CellStatistics &m = comparison->measured[c], &s = comparison->simulated[c];
       if (slope == 0.0 || m.count == 0.0 || s.count == 0.0) continue;
       if (!takesPart(sample, sample.layout->cells()[c], part)) continue;
+      if (c >= sample.layout->surfaces() && tooFar(m, s, offset)) continue;
       const double error = comparableError(replay, sample, c, kRange, m, s);
       const double z = (m.mean(kRange) - s.mean(kRange)) / error;
       const double weight = 1.0 / std::sqrt(1.0 + z * z);

@@ -35,11 +35,11 @@ void addShareErrors(ReplaySample& sample) {
 
 /// Echoes that no surface makes lie where the receiver begins to listen to the air, or where a cloud becomes dense:
 /// that is known to a small part of the pulse's length, and for all of them alike.
-void addToleranceOfAir(ReplaySample& sample, const model::Emitter& emitter) {
+void addToleranceOfAir(ReplaySample& sample, const model::Emitter& emitter, const std::string& sensor) {
   const CellLayout& layout = *sample.layout;
   if (layout.pooled()) return;
   const double within_m = kPlaceOfAir * core::kMetresPerNanosecond * emitter.pulse_fwhm_ns / 2.0;
-  Tolerance tolerance{"", -within_m, within_m, std::vector<float>(layout.cells().size(), 0.0F)};
+  Tolerance tolerance{"air before " + sensor, -within_m, within_m, std::vector<float>(layout.cells().size(), 0.0F)};
   bool any = false;
   for (std::size_t c = layout.surfaces(); c < layout.cells().size(); ++c) {
     if (layout.cells()[c].at_edge || sample.statistics[c].count < kOftenSeen * sample.frames) continue;
@@ -87,7 +87,7 @@ void Replay::pairWithBaseline(std::size_t s) {
   sample.power_deviation.resize(sample.layout->cells().size());
   for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);
   addShareErrors(sample);
-  addToleranceOfAir(sample, baseline_.model.sensor(sensor).emitter);
+  addToleranceOfAir(sample, baseline_.model.sensor(sensor).emitter, sensor);
   sample.baseline = simulate(baseline_, s, kBaselineFrames, seed());
 }
 

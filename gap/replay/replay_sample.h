@@ -18,7 +18,7 @@ namespace gap {
 /// A recorded quantity of a sample that is known to within an interval only (`epistemic` of the experiment), or where
 /// echoes begin that no surface makes.
 struct Tolerance {
-  std::string pointer;  ///< empty of the latter
+  std::string pointer;  ///< of the latter a name with the sensor's, which no pointer is
   double low = 0.0;     ///< offset to the recorded value
   double high = 0.0;
   std::vector<float> range_per_unit;  ///< of every cell that may move: how its range does with the quantity [m/unit]

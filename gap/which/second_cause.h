@@ -26,7 +26,7 @@ namespace gap {
 /// docs/diagnosis.md gives the reasons for the bounds.
 [[nodiscard]] bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& best, double left_by_best,
                                   const Candidate& pair);
-/// The same of a pair that takes what the single causes leave of the means (pair_by_means.h): it need not take so much
+/// The same of a pair that takes what all other leaders leave of the means (pair_by_means.h): it need not take so much
 /// of the discrepancy.
 [[nodiscard]] bool earnsItsSecondByMeans(const Judge& quick, const Judge& exact, const Candidate& best,
                                          const Candidate& pair);

@@ -60,11 +60,12 @@ class Blooming final : public Effect {
     for (const Pulse& pulse : pulses) {
       if (pulse.power_w <= 0.0) continue;
       if (sums.empty() || pulse.range_m - first_m >= bin_m) {
-        sums.push_back({pulse.range_m, 0.0});
+        sums.push_back({pulse.range_m, 0.0, false});
         first_m = pulse.range_m;
       }
       Pulse& sum = sums.back();
       sum.power_w += pulse.power_w;
+      sum.of_surface = sum.of_surface || pulse.of_surface;
       sum.range_m += (pulse.range_m - sum.range_m) * pulse.power_w / sum.power_w;
     }
     return sums;
@@ -78,7 +79,8 @@ class Blooming final : public Effect {
       if (beams[to].layer != beams[order[at]].layer) return;
       const double share = fraction_ / static_cast<double>(d * d);
       for (const Pulse& source : sources) {
-        if (share * source.power_w >= least_w) spilled[to].push_back({source.range_m, share * source.power_w});
+        if (share * source.power_w < least_w) continue;
+        spilled[to].push_back({source.range_m, share * source.power_w, source.of_surface});
       }
     }
   }

@@ -25,7 +25,7 @@ double meanOpenShare(const BeamView& view, double from_m, double to_m) {
   return std::max(0.0, open);
 }
 
-/// Cells of a stretch of air: growing with the range as long as they are shorter than half a pulse, then all alike.
+/// Cells of a stretch of air: growing with the range as long as they are shorter than the longest, then all alike.
 class Cells {
  public:
   Cells(double from_m, double to_m, double longest_m)
@@ -37,7 +37,8 @@ class Cells {
   /// Where the cell ends that begins there. The last one ends at the end, whatever its steps add up to.
   [[nodiscard]] double endOf(double begin_m) const {
     if (begin_m < even_from_m_) return std::min(begin_m * kGrowthOfCells, even_from_m_);
-    return to_m_ - begin_m < 1.5 * step_m_ ? to_m_ : begin_m + step_m_;
+    const double end_m = begin_m + step_m_;
+    return end_m <= begin_m || to_m_ - begin_m < 1.5 * step_m_ ? to_m_ : end_m;  // a step may be less than rounding
   }
 
  private:
@@ -68,8 +69,8 @@ void addSoftTarget(const BeamView& view, SoftTarget target, std::vector<Pulse>& 
   const double least_w_1_m = kNegligible * settings.receiver.threshold_w / (kAreaOfGaussian * width_m);
   for (double begin_m = target.from_m, end_m = 0.0; begin_m < target.to_m; begin_m = end_m) {
     end_m = cells.endOf(begin_m);
-    const double of_square_1_m = 1.0 / begin_m - 1.0 / end_m;  // ∫ dr / r², and where its weight lies:
-    const double range_m = std::log(end_m / begin_m) / of_square_1_m;
+    const double of_square_1_m = (end_m - begin_m) / (begin_m * end_m);  // ∫ dr / r², and where its weight lies:
+    const double range_m = std::log1p((end_m - begin_m) / begin_m) / of_square_1_m;
     const double passed = std::exp(-2.0 * target.extinction_1_m * (range_m - target.extinction_from_m));
     const double in_the_open_w = constant_w_m * passed * of_square_1_m;
     const double open = meanOpenShare(view, begin_m, end_m);

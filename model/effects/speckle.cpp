@@ -25,18 +25,17 @@ class Speckle final : public Effect {
 }  // namespace
 
 EffectEntry speckle() {
-  return {
-      .info = {.name = "speckle",
-               .title = "Speckle",
-               .summary =
-                   "Coherent light makes the strength of an echo fluctuate at random, in proportion to its strength.",
-               .stage = Stage::kInteraction,
-               .percollect = {"148", "153"},
-               .parameters = {{"looks", "", 1.0, 100.0, 20.0, "Independent speckle patterns that are averaged", true,
-                               20.0}},
-               .fitted = {"looks"},
-               .source = "Goodman 2007, Speckle Phenomena in Optics, sec. 4.4"},
-      .make = makeFrom<Speckle>};
+  return {.info = {.name = "speckle",
+                   .title = "Speckle",
+                   .summary = "Coherent light makes the strength of a surface's echo fluctuate at random, in "
+                              "proportion to its strength.",
+                   .stage = Stage::kInteraction,
+                   .percollect = {"148", "153"},
+                   .parameters = {{"looks", "", 1.0, 100.0, 20.0, "Independent speckle patterns that are averaged",
+                                   true, 20.0}},
+                   .fitted = {"looks"},
+                   .source = "Goodman 2007, Speckle Phenomena in Optics, sec. 4.4"},
+          .make = makeFrom<Speckle>};
 }
 
 }  // namespace model::effects

@@ -14,8 +14,8 @@ struct Pulse {
 
 /// What chance makes of the power of one shot; 1 is no change.
 struct Fluctuation {
-  double of_all = 1.0;       ///< of every pulse, and once more
-  double of_surfaces = 1.0;  ///< of what surfaces send back
+  double of_all = 1.0;       ///< of every pulse
+  double of_surfaces = 1.0;  ///< besides, of what surfaces send back
 
   [[nodiscard]] double of(const Pulse& pulse) const { return pulse.of_surface ? of_all * of_surfaces : of_all; }
 };

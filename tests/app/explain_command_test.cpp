@@ -34,14 +34,14 @@ TEST_F(ExplainCommand, TellsWhatSurfacesSendFromWhatTheAirSends) {
                                  {"--azimuth-deg", "0", "--json", "-"});
   ASSERT_EQ(run.status, 0) << run.messages;
   const nlohmann::json beam = nlohmann::json::parse(run.out);
-  EXPECT_EQ(beam["fluctuation"], 1.0);
-  EXPECT_NE(beam["fluctuation_of_surfaces"], 1.0);
-  const auto of_surface = [](const nlohmann::json& pulse) { return pulse["of_surface"].get<bool>(); };
-  const auto& pulses = beam["pulses"];
+  EXPECT_EQ(beam.at("fluctuation"), 1.0);
+  EXPECT_NE(beam.at("fluctuation_of_surfaces"), 1.0);
+  const auto of_surface = [](const nlohmann::json& pulse) { return pulse.at("of_surface").get<bool>(); };
+  const auto& pulses = beam.at("pulses");
   EXPECT_TRUE(std::any_of(pulses.begin(), pulses.end(), of_surface));
   const auto of_air = std::find_if_not(pulses.begin(), pulses.end(), of_surface);
   ASSERT_NE(of_air, pulses.end());
-  EXPECT_LT((*of_air)["range_m"], std::find_if(pulses.begin(), pulses.end(), of_surface)->at("range_m"));
+  EXPECT_LT(of_air->at("range_m"), std::find_if(pulses.begin(), pulses.end(), of_surface)->at("range_m"));
 }
 
 TEST_F(ExplainCommand, AFrameThatIsNotThereIsNamed) {

@@ -52,7 +52,7 @@ TEST(AtmosphericBackscatter, WaveformIsTheConvolutionOfLidarEquationAndPulse) {
   }
 }
 
-// Half a metre from the sensor 1/r² falls by three quarters within half a pulse. Where the waveform rises and falls
+// Half a metre from the sensor 1/r² falls by two thirds within half a pulse. Where the waveform rises and falls
 // through a level, and how high it is, by Simpson's rule.
 TEST(AtmosphericBackscatter, NearEchoIsTheConvolutionHalfAMetreAway) {
   lab::Case setup = fog({{"visibility_m", 50}});
@@ -164,6 +164,18 @@ TEST(ExhaustCloud, EchoOfAShortOneIsTheConvolution) {
   EXPECT_NEAR(waveform_w(stretches[0].peak_m) / stretches[0].peak_w, 1.0, 5e-3);
   EXPECT_NEAR(waveform_w(stretches[0].rise_m) / level_w, 1.0, 5e-3);
   EXPECT_NEAR(waveform_w(stretches[0].fall_m) / level_w, 1.0, 5e-3);
+}
+
+// Of a cloud whose far end is where the receiver begins to listen hardly anything is left, or nothing.
+TEST(ExhaustCloud, MayEndWhereTheReceiverBeginsToListen) {
+  lab::Case setup;
+  setup.effects["exhaust-cloud"] = cloud(1.1);
+  setup.effects["exhaust-cloud"]["size_m"] = 0.2;
+  setup.sensor["detection"]["min_range_m"] = 1.2;
+  for (const Pulse& pulse : lab::pulses(setup)) {
+    EXPECT_NEAR(pulse.range_m, 1.2, 1e-9);
+    EXPECT_LT(pulse.power_w, 1e-15);
+  }
 }
 
 TEST(ExhaustCloud, RefusesACentreThatIsNoPoint) {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 
 #include "core/parallel.h"
 #include "tests/model/effects/effect_bench.h"
@@ -52,6 +53,25 @@ TEST(Blooming, StaysInItsLayerAndCountsAFootprintOnce) {
   ASSERT_EQ(detections.size(), 9u);
   for (const auto layer : detections.layer) EXPECT_EQ(layer, 0);
   EXPECT_NEAR(detections.intensity[3] / detections.intensity[4], 1e-2, 1e-5);
+}
+
+// What spills is as it came: from a surface it glitters with it, from a relayed pulse it does not.
+TEST(Blooming, SpillOfAFalseTargetDoesNotGlitter) {
+  lab::Case setup = narrowPlate(3, {{"fraction", 1e-2}, {"neighbours", 2}});
+  setup.scene.clear();
+  setup.effects["spoofing"] = {{"azimuth_deg", 0.0}, {"width_deg", 0.01}, {"range_m", 8.0}, {"power_w", 1e-4}};
+  setup.effects["speckle"] = {{"looks", 4.0}};
+  setup.frames = 20;
+  std::map<double, std::vector<double>> of_beam;
+  const auto detections = lab::fire(setup);
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    of_beam[detections.azimuth_rad[i]].push_back(detections.intensity[i]);
+  }
+  EXPECT_EQ(of_beam.size(), 5U);
+  for (const auto& [azimuth_rad, intensity] : of_beam) {
+    EXPECT_EQ(intensity.size(), 20U);
+    EXPECT_NEAR(lab::deviation(intensity) / lab::mean(intensity), 0.0, 1e-9) << azimuth_rad;
+  }
 }
 
 TEST(Blooming, IsTheSameForAnyNumberOfThreads) {
