@@ -12,7 +12,7 @@ namespace gap {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kPairBelief = 0.8;     // of the belief in one cause: either of the two may be another one
+constexpr double kPairBelief = 0.9;     // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
