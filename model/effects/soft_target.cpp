@@ -13,8 +13,9 @@ namespace {
 constexpr double kNegligible = 1e-3;        ///< of the threshold
 constexpr double kAreaOfGaussian = 1.0645;  ///< of unit peak and unit width at half maximum, sqrt(π / (4 ln 2))
 constexpr double kNearestAir_m = 0.1;       ///< 1/r² has no end, and no profile says what the optics make of it there
-constexpr double kLeastCells = 8.0;     ///< or a cloud shorter than a pulse would be one pulse, too high and too short
-constexpr double kGrowthOfCells = 1.1;  ///< near the sensor, where 1/r² and the overlap change within a pulse
+constexpr double kLeastCells = 8.0;      ///< or a cloud shorter than a pulse would be one pulse, too high and too short
+constexpr double kShortestCells = 4.0;   ///< so many are as long as the longest: what is shorter the pulse blurs
+constexpr double kGrowthOfCells = 1.15;  ///< near the sensor, where 1/r² and the overlap change within a pulse
 
 /// Mean of openShare over a stretch, so that a surface within it cuts the right share off.
 double meanOpenShare(const BeamView& view, double from_m, double to_m) {
@@ -29,20 +30,24 @@ double meanOpenShare(const BeamView& view, double from_m, double to_m) {
 class Cells {
  public:
   Cells(double from_m, double to_m, double longest_m)
-      : to_m_(to_m), even_from_m_(std::clamp(longest_m / (kGrowthOfCells - 1.0), from_m, to_m)) {
+      : to_m_(to_m),
+        even_from_m_(std::clamp(longest_m / (kGrowthOfCells - 1.0), from_m, to_m)),
+        shortest_m_(longest_m / kShortestCells) {
     const double even_m = to_m_ - even_from_m_;
     step_m_ = even_m / std::max(1.0, std::ceil(even_m / longest_m));
   }
 
   /// Where the cell ends that begins there. The last one ends at the end, whatever its steps add up to.
   [[nodiscard]] double endOf(double begin_m) const {
-    if (begin_m < even_from_m_) return std::min(begin_m * kGrowthOfCells, even_from_m_);
+    if (begin_m < even_from_m_) {
+      return std::min(begin_m + std::max(shortest_m_, begin_m * (kGrowthOfCells - 1.0)), even_from_m_);
+    }
     const double end_m = begin_m + step_m_;
     return end_m <= begin_m || to_m_ - begin_m < 1.5 * step_m_ ? to_m_ : end_m;  // a step may be less than rounding
   }
 
  private:
-  double to_m_, even_from_m_, step_m_ = 0.0;
+  double to_m_, even_from_m_, shortest_m_, step_m_ = 0.0;
 };
 
 }  // namespace

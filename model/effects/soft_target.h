@@ -25,9 +25,9 @@ struct SoftTarget {
 ///
 /// as a comb of pulses spaced half a pulse width at most: Gaussians at that spacing sum to a smooth curve to
 /// 2 exp(-π² / ln 2) ≈ 1e-6. Each stands for a cell of air, with the integral and the mean place of its 1/r²; near the
-/// sensor cells are a tenth of their range long at most, and eight cells a stretch has at least. What is lost is the
-/// spread within a cell of length s: it is off by s²/24 of the signal's curvature, s²/(4 r²) of the signal itself.
-/// open(r) is the share of the beam that has met no surface yet. The comb ends at `to_m`, or where a level of a
+/// sensor cells are 0.15 of their range long at most, where that is an eighth of a pulse, and a stretch has eight cells
+/// at least. What is lost is the spread within a cell of length s, s²/24 of the signal's curvature: 0.006 of the
+/// signal. open(r) is the share of the beam that has met no surface yet. The comb ends at `to_m`, or where a level of a
 /// thousandth of the threshold is not reached any more. Nothing is heard from before the nearest range of the detection
 /// window: there the receiver is not listening yet; nor from before 0.1 m. Source: lidar equation of a distributed
 /// target, Rasshofer et al. 2011, doi:10.5194/ars-9-49-2011, sec. 2.
