@@ -31,6 +31,9 @@ struct Air {
   }
 };
 
+/// The pulse of unit peak, so far from it.
+double pulseAt(double from_peak_m) { return std::exp(-4.0 * std::numbers::ln2 * std::pow(from_peak_m / kWidth_m, 2)); }
+
 // The waveform of fog is the convolution of the lidar equation with the pulse; here by Simpson's rule at the places
 // where the comb's waveform falls through three levels. A cell of half a pulse loses (w/2)²/24 of the curvature, and
 // that of exp(-2 α r) / r² is (6/r² + 8 α/r + 4 α²).
@@ -43,28 +46,19 @@ TEST(AtmosphericBackscatter, WaveformIsTheConvolutionOfLidarEquationAndPulse) {
     parts[0].stretchesAbove(level_w, stretches);
     ASSERT_EQ(stretches.size(), 1u);
     const double at_m = stretches[0].fall_m;
-    const auto integrand = [&](double r) {
-      return Air{}.power_w_m(r) * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
-    };
+    const auto integrand = [&](double r) { return Air{}.power_w_m(r) * pulseAt(at_m - r); };
     const double a = Air{}.extinction_1_m, curvature = 6.0 / (at_m * at_m) + 8.0 * a / at_m + 4.0 * a * a;
     EXPECT_NEAR(lab::integral(kNearest_m, at_m + 6.0, integrand) / level_w, 1.0, kWidth_m * kWidth_m / 96 * curvature)
         << at_m;
   }
 }
 
-// Half a metre from the sensor 1/r² falls by two thirds within half a pulse. Where the waveform rises and falls
-// through a level, and how high it is, by Simpson's rule.
-TEST(AtmosphericBackscatter, NearEchoIsTheConvolutionHalfAMetreAway) {
-  lab::Case setup = fog({{"visibility_m", 50}});
-  setup.sensor["detection"]["min_range_m"] = 0.5;
+/// Where the only echo of a case rises and falls through half of its height, and how high it is, by a waveform.
+template <typename Waveform_w>
+void expectConvolution(const lab::Case& setup, Waveform_w waveform_w) {
   std::vector<Pulse> pulses = lab::pulses(setup);
   const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
   ASSERT_EQ(parts.size(), 1u);
-  const auto waveform_w = [](double at_m) {
-    return lab::integral(0.5, at_m + 6.0, [&](double r) {
-      return Air{}.power_w_m(r) * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
-    });
-  };
   const double level_w = 0.5 * parts[0].peak_w();
   std::vector<Stretch> stretches;
   parts[0].stretchesAbove(level_w, stretches);
@@ -72,6 +66,16 @@ TEST(AtmosphericBackscatter, NearEchoIsTheConvolutionHalfAMetreAway) {
   EXPECT_NEAR(waveform_w(stretches[0].rise_m) / level_w, 1.0, 5e-3);
   EXPECT_NEAR(waveform_w(stretches[0].fall_m) / level_w, 1.0, 5e-3);
   EXPECT_NEAR(waveform_w(stretches[0].peak_m) / stretches[0].peak_w, 1.0, 5e-3);
+}
+
+// Half a metre from the sensor 1/r² falls by two thirds within half a pulse. Where the waveform rises and falls
+// through a level, and how high it is, by Simpson's rule.
+TEST(AtmosphericBackscatter, NearEchoIsTheConvolutionHalfAMetreAway) {
+  lab::Case setup = fog({{"visibility_m", 50}});
+  setup.sensor["detection"]["min_range_m"] = 0.5;
+  expectConvolution(setup, [](double at_m) {
+    return lab::integral(0.5, at_m + 6.0, [&](double r) { return Air{}.power_w_m(r) * pulseAt(at_m - r); });
+  });
 }
 
 TEST(AtmosphericBackscatter, NearEchoStandsWhereTheReceiverBeginsToListen) {
@@ -148,22 +152,12 @@ TEST(ExhaustCloud, EchoOfAShortOneIsTheConvolution) {
   lab::Case setup;
   setup.effects["exhaust-cloud"] = cloud(10);
   setup.effects["exhaust-cloud"]["size_m"] = 0.7;
-  std::vector<Pulse> pulses = lab::pulses(setup);
-  const std::vector<WaveformPart> parts = partsOf(pulses, {kWidth_m, {}}, 1e-9);
-  ASSERT_EQ(parts.size(), 1u);
-  const auto waveform_w = [](double at_m) {
+  expectConvolution(setup, [](double at_m) {
     return lab::integral(9.65, 10.35, [&](double r) {
       const double in_a_slice = 0.5 * 0.3 / 18.8 * std::exp(-2.0 * 0.3 * (r - 9.65)) / (r * r);
-      return constant_w_m2() * in_a_slice * std::exp(-4.0 * std::numbers::ln2 * std::pow((at_m - r) / kWidth_m, 2));
+      return constant_w_m2() * in_a_slice * pulseAt(at_m - r);
     });
-  };
-  const double level_w = 0.5 * parts[0].peak_w();
-  std::vector<Stretch> stretches;
-  parts[0].stretchesAbove(level_w, stretches);
-  ASSERT_EQ(stretches.size(), 1u);
-  EXPECT_NEAR(waveform_w(stretches[0].peak_m) / stretches[0].peak_w, 1.0, 5e-3);
-  EXPECT_NEAR(waveform_w(stretches[0].rise_m) / level_w, 1.0, 5e-3);
-  EXPECT_NEAR(waveform_w(stretches[0].fall_m) / level_w, 1.0, 5e-3);
+  });
 }
 
 // Of a cloud whose far end is where the receiver begins to listen hardly anything is left, or nothing.

@@ -44,6 +44,16 @@ std::vector<Stretch> stretchesOf(std::vector<Pulse> pulses, double level_w, doub
   return stretches;
 }
 
+void expectNear(const std::vector<Stretch>& got, const std::vector<Stretch>& expected, double within_m,
+                double of_peak) {
+  ASSERT_EQ(got.size(), expected.size());
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    EXPECT_NEAR(got[i].rise_m, expected[i].rise_m, within_m);
+    EXPECT_NEAR(got[i].fall_m, expected[i].fall_m, within_m);
+    EXPECT_NEAR(got[i].peak_w / expected[i].peak_w, 1.0, of_peak);
+  }
+}
+
 // g falls to P_th/P at ± FWHM/2 · sqrt(log2(P/P_th)).
 TEST(Waveform, WidthOfOnePulseIsTheClosedForm) {
   for (const double ratio : {1.0001, 1.01, 1.5, 2.0, 16.0, 1e4, 1e8}) {
@@ -149,12 +159,8 @@ TEST(Waveform, SilentTailOfAFogIsNoPartButReachesIntoOthers) {
   for (const double level_w : {0.1001, 0.3, 1.0}) {
     const auto expected = bruteForce(fogAndBoard(), level_w, -5.0, 70.0, 1e-4),
                got = stretchesOf(fogAndBoard(), level_w, 0.1);
-    ASSERT_EQ(got.size(), expected.size()) << level_w;
-    for (std::size_t i = 0; i < got.size(); ++i) {
-      EXPECT_NEAR(got[i].rise_m, expected[i].rise_m, 1e-3) << level_w;
-      EXPECT_NEAR(got[i].fall_m, expected[i].fall_m, 1e-3) << level_w;
-      EXPECT_NEAR(got[i].peak_w / expected[i].peak_w, 1.0, 2.5e-3) << level_w;
-    }
+    SCOPED_TRACE(level_w);
+    expectNear(got, expected, 1e-3, 2.5e-3);
   }
 }
 
@@ -174,12 +180,8 @@ TEST(Waveform, SurfacesOfAMixedPartFluctuateAlone) {
     std::vector<Stretch> got;
     parts[0].withSurfacesAt(gain).stretchesAbove(1.0, got);
     const auto expected = bruteForce(fluctuating, 1.0, 0.0, 10.0, 1e-4);
-    ASSERT_EQ(got.size(), expected.size()) << gain;
-    for (std::size_t i = 0; i < got.size(); ++i) {
-      EXPECT_NEAR(got[i].rise_m, expected[i].rise_m, 1e-3) << gain;
-      EXPECT_NEAR(got[i].fall_m, expected[i].fall_m, 1e-3) << gain;
-      EXPECT_NEAR(got[i].peak_w / expected[i].peak_w, 1.0, 2.5e-3) << gain;
-    }
+    SCOPED_TRACE(gain);
+    expectNear(got, expected, 1e-3, 2.5e-3);
   }
 }
 
@@ -204,13 +206,8 @@ TEST(Waveform, SurfacesOfAMixedPartFluctuateInAnyForm) {
   std::vector<Stretch> got, right;
   mixed[0].withSurfacesAt(0.4).stretchesAbove(1.0, got);
   expected[0].stretchesAbove(1.0, right);
-  ASSERT_EQ(got.size(), right.size());
   ASSERT_FALSE(got.empty());
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    EXPECT_NEAR(got[i].rise_m, right[i].rise_m, 1e-4);
-    EXPECT_NEAR(got[i].fall_m, right[i].fall_m, 1e-4);
-    EXPECT_NEAR(got[i].peak_w / right[i].peak_w, 1.0, 1e-3);
-  }
+  expectNear(got, right, 1e-4, 1e-3);
 }
 
 // A triangle of full width w at half maximum is 2 w (1 - q) wide at the share q of its height.
