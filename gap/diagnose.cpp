@@ -7,6 +7,7 @@
 #include "gap/distance/models_grid.h"
 #include "gap/far/how_far.h"
 #include "gap/far/parameter_intervals.h"
+#include "gap/next_experiment.h"
 #include "gap/report/wording.h"
 #include "gap/verdict.h"
 #include "gap/where/pictures.h"
@@ -139,39 +140,6 @@ void heedLaws(const Judge& judge, const WhereResult& where, std::uint64_t seed, 
   }
   diagnosis.rest = restOf(replay, judge.split, where, where);  // without a cause what is left is what was there
   if (diagnosis.rest) diagnosis.rest->putFirst(std::move(of_direction));
-}
-
-/// The fitted or held-out sample at which the two best candidates differ most.
-std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision& decision) {
-  const Replay& replay = judge.replay;
-  const std::uint64_t seed = judge.split.fitted.seed;
-  std::vector<const Candidate*> rivals;
-  for (const Candidate& candidate : decision.singles) {
-    if (rivals.empty() || candidate.hypothesis.name != rivals.front()->hypothesis.name) rivals.push_back(&candidate);
-    if (rivals.size() == 2) break;
-  }
-  if (rivals.size() < 2) return std::nullopt;
-  const World a = worldOf(replay, rivals[0]->hypothesis, rivals[0]->values);
-  const World b = worldOf(replay, rivals[1]->hypothesis, rivals[1]->values);
-  std::size_t best = 0;
-  double largest = -1.0;
-  for (std::size_t s = 0; s < replay.samples().size(); ++s) {
-    const int frames = std::min(8, std::max(3, replay.samples()[s].frames));
-    const auto of_a = replay.simulate(a, s, frames, seed);
-    const Comparison comparison{s, of_a, frames, replay.simulate(b, s, frames, seed), frames};
-    const double difference = discrepancy(replay, std::span(&comparison, 1));
-    if (difference > largest) {
-      largest = difference;
-      best = s;
-    }
-  }
-  NextExperiment next;
-  next.separates = {rivals[0]->hypothesis.name, rivals[1]->hypothesis.name};
-  next.parameters = replay.samples()[best].sample->parameters;
-  next.sample = replay.samples()[best].sample->id;
-  next.predictions = predictionsOf(replay, {replay.baseline(), a, b}, best, seed);
-  next.text = nextExperimentSentence(next);
-  return next;
 }
 
 /// What the winner brings: shrink, intervals of its parameters, a model file if one can hold it.

@@ -18,7 +18,6 @@ constexpr double kRateOfPower = 2.0;  // most that the detection rate changes wi
 constexpr double kSureRate = 0.5;     // detections per frame: no group has cells whose rate is known no better
 constexpr double kRateFloor = 0.03;   // detections per frame and cell
 constexpr double kLostCell = 20.0;    // z per channel of a surface that only one side detects in every frame
-constexpr double kOftenDetected = 0.3;     // rarer than this a lost surface is no more than its rate term
 constexpr double kMostlyDetected = 0.7;    // of the shots, on both sides: what is lost there is rare
 constexpr double kGroupRateFloor = 0.004;  // detections per frame and cell, mean of a group
 constexpr std::size_t kGroups = 6;         // groups of like power in which rates are compared

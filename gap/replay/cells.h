@@ -22,6 +22,8 @@ enum Channel : std::size_t { kRange, kEpw, kIntensity, kChannels };
 constexpr double kShareError = 0.004;
 /// Of a beam: a surface that meets so much of it is cut by no edge.
 constexpr double kWholeBeam = 0.999;
+/// Of the shots: rarer detections in a beam may come from anywhere, and a cell so rare is no more than its rate.
+constexpr double kOftenDetected = 0.3;
 
 /// Where measured and simulated detections are paired: one surface seen by one beam of one sample. The frames of a
 /// sample are repetitions of a cell. What the simulation knows of it comes from the baseline's geometry.

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kBaselineFrames = 6;             // enough for means
 constexpr double kPlaceOfAir = 0.02;           // of the pulse's length
-constexpr double kOftenSeen = 0.3;             // of the frames: rarer echoes come from anywhere
 constexpr std::size_t kMostBytes = 300000000;  // of remembered geometry
 constexpr std::size_t kMostShots = 4000000;    // of the proxy, remembered, 40 bytes each
 constexpr std::size_t kMostCells = 4000000;    // of sensors that a world leaves alone, remembered, 56 bytes each
@@ -42,7 +41,7 @@ void addToleranceOfAir(ReplaySample& sample, const model::Emitter& emitter, cons
   Tolerance tolerance{"air before " + sensor, -within_m, within_m, std::vector<float>(layout.cells().size(), 0.0F)};
   bool any = false;
   for (std::size_t c = layout.surfaces(); c < layout.cells().size(); ++c) {
-    if (layout.cells()[c].at_edge || sample.statistics[c].count < kOftenSeen * sample.frames) continue;
+    if (layout.cells()[c].at_edge || sample.statistics[c].count < kOftenDetected * sample.frames) continue;
     tolerance.range_per_unit[c] = 1.0F;
     any = true;
   }

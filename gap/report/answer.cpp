@@ -209,6 +209,11 @@ bool isNamed(const Diagnosis& diagnosis, const Cause& cause) {
   return std::find(names.begin(), names.end(), cause.name) != names.end();
 }
 
+bool isBeside(const Diagnosis& diagnosis, const Cause& cause) {
+  const auto& beside = diagnosis.verdict.beside;
+  return std::find(beside.begin(), beside.end(), cause.name) != beside.end();
+}
+
 void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<report::KeyValue> facts;
   const std::string strength = strengthText(diagnosis), summary = summaryText(diagnosis);

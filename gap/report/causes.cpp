@@ -28,6 +28,11 @@ const char* kindInWords(CauseKind kind) {
   return "";
 }
 
+/// Whether the answer holds two causes, or one and a number beside it.
+bool togetherIn(const Diagnosis& diagnosis) {
+  return diagnosis.verdict.names.size() + diagnosis.verdict.beside.size() > 1;
+}
+
 Html lineBreak() { return report::rawHtml("<br/>"); }
 
 Html numbersOf(const Cause& cause) {
@@ -56,25 +61,26 @@ Html numbersOf(const Cause& cause) {
 
 void addChart(report::Page& page, const Diagnosis& diagnosis) {
   report::BarFigure bars;
-  bars.title = "By how much each cause alone would shrink the gap";
+  bars.title = "By how much each cause would shrink the gap";
   bars.value_name = "per cent of the total gap on held-out samples (whisker: 90 % interval)";
   double least = 0.0;
   for (std::size_t i = 0; i < diagnosis.causes.size(); ++i) {
     const Cause& cause = diagnosis.causes[i];
     report::BarFigure::Bar bar{letterOf(i) + "  " + causeTitle(diagnosis, cause.name), 100.0 * cause.shrink.fraction,
                                report::Range{100.0 * cause.shrink.interval.low, 100.0 * cause.shrink.interval.high},
-                               isNamed(diagnosis, cause), shrinkOf(cause.shrink.fraction)};
+                               isNamed(diagnosis, cause) || isBeside(diagnosis, cause),
+                               shrinkOf(cause.shrink.fraction)};
     least = std::min({least, bar.value, bar.interval->low});
     bars.bars.push_back(std::move(bar));
   }
   bars.range = report::Range{std::max(-100.0, 1.05 * least), 100.0};
-  const bool pair = diagnosis.verdict.names.size() > 1;
   page.figure(report::barFigure(bars),
-              fmt::format("{}{}",
-                          diagnosis.verdict.names.empty()
-                              ? "None of them is right: a right cause would shrink the gap nearly to nothing."
-                              : "Dark: what the verdict names. A right cause shrinks the gap nearly to nothing.",
-                          pair ? " The two dark bars stand for both causes together." : ""));
+              diagnosis.verdict.names.empty()
+                  ? "Each cause alone. None of them is right: a right cause would leave hardly more than noise."
+              : togetherIn(diagnosis) ? "Dark: what the answer names and corrects, both together; light: each of the "
+                                        "others alone. What a right cause leaves is noise."
+                                      : "Dark: what the answer names; light: others, each alone. What a right cause "
+                                        "leaves is noise.");
 }
 
 void addTable(report::Page& page, const Diagnosis& diagnosis) {
@@ -83,6 +89,7 @@ void addTable(report::Page& page, const Diagnosis& diagnosis) {
     const Cause& cause = diagnosis.causes[i];
     Html name = report::text(letterOf(i) + "  ") + report::strong(causeTitle(diagnosis, cause.name));
     if (isNamed(diagnosis, cause)) name += report::text(" ") + report::badge("named", report::Tone::Bad);
+    if (isBeside(diagnosis, cause)) name += report::text(" ") + report::badge("corrected too", report::Tone::Bad);
     name += lineBreak() + report::rawHtml("<small>") + report::text(std::string(kindInWords(cause.kind)) + ": ") +
             report::code(cause.name + (cause.variant.empty() ? "" : " (" + cause.variant + ")")) +
             report::text(cause.sensors.empty() ? "" : "; sensor " + core::join(cause.sensors) + " only") +
@@ -165,9 +172,12 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
   }
   page.lead(fmt::format(
       "{} possible causes were tried, each with its strength fitted; here {}. “Explains” is the share of the "
-      "difference, beam by beam, that vanishes with the cause; “shrinks” counts the pooled data.",
+      "difference, beam by beam and beyond noise, that vanishes with the cause; “shrinks” counts the pooled data with "
+      "their noise, so it may say less.{}",
       diagnosis.background.hypotheses,
-      diagnosis.causes.size() == 1 ? "is the only one that explains any of it" : "are the best"));
+      diagnosis.causes.size() == 1 ? "is the only one that explains any of it" : "are the best",
+      togetherIn(diagnosis) ? " Those that are named or corrected together share their numbers; the others stand alone."
+                            : ""));
   addChart(page, diagnosis);
   addTable(page, diagnosis);
   addConfusion(page, diagnosis);

@@ -52,7 +52,13 @@ void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
               {"bias after", Align::Right},
               {"scatter error before", Align::Right},
               {"scatter error after", Align::Right}},
-             rows, "Means over the held-out samples. Bias > 0: the simulation is too high.");
+             rows,
+             diagnosis.after
+                 ? "Means over these samples, all detections of a sample together. Bias > 0: the simulation is too "
+                   "high. A measurand in which little was wrong may get a little worse: the causes were "
+                   "fitted to all measurands at once."
+                 : "Means over these samples, all detections of a sample together. Bias > 0: the "
+                   "simulation is too high.");
 }
 
 /// Cumulative share of sorted values below x.
@@ -85,8 +91,9 @@ void addCurves(report::Page& page, const BeforeAfterValues& values) {
   const report::Range range = rangeOf(values);
   report::CurveFigure figure;
   const std::string title = measurandTitle(values.measurand);
+  const ReadableUnit shown = readableUnit(std::max(std::abs(range.low), std::abs(range.high)), values.unit);
   figure.title = fmt::format("Distribution of the {}, sample {}", title, values.sample);
-  figure.x_name = fmt::format("{} in {}", title, values.unit);
+  figure.x_name = fmt::format("{} in {}", title, shown.unit);
   figure.y_name = "share of the values below";
   figure.y_range = report::Range{0.0, 1.0};
   for (std::size_t i = 0; i < kPoints; ++i)
@@ -99,6 +106,7 @@ void addCurves(report::Page& page, const BeforeAfterValues& values) {
   add("model as it is", values.before, "#d55e00", "7 4");
   add("with the cause added", values.after, "#0072b2", "");
   add("measured", values.measured, "#1f2328", "2 3");
+  for (double& x : figure.x) x *= shown.per_unit;
   page.figure(report::curveFigure(figure),
               values.after.empty()
                   ? "The nearer the simulated curve lies to the measured one, the better the simulation; the area "
@@ -137,11 +145,14 @@ void addHowFar(report::Page& page, const Diagnosis& diagnosis) {
   page.section("How far does the gap shrink?", "shrink");
   if (diagnosis.after) {
     page.lead(
-        "Before and after the cause was added to the simulation, on samples that were kept aside: they took no "
-        "part in fitting it.");
+        diagnosis.weak_hold_out
+            ? "Before and after the cause was added to the simulation, on samples of which one half of the beams "
+              "took no part in fitting it; all their beams are shown."
+            : "Before and after the cause was added to the simulation, on samples that were kept aside: they took "
+              "no part in fitting it.");
     page.paragraph(
         report::text("The ") + report::link("#word-total-gap", "total gap") +
-        report::text(fmt::format(" falls from {} to {}: it shrinks by {} (90 % interval {}). Held-out samples: {}.",
+        report::text(fmt::format(" falls from {} to {}: it shrinks by {} (90 % interval {}). Samples: {}.",
                                  core::significant(diagnosis.before.total), core::significant(diagnosis.after->total),
                                  percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
                                  core::join(diagnosis.held_out))));

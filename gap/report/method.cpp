@@ -31,7 +31,7 @@ void addProposal(report::Page& page, const Diagnosis& diagnosis) {
   page.paragraph("Only this changes in the model file (numbers rounded here):");
   nlohmann::ordered_json change;
   for (const Cause& cause : diagnosis.causes) {
-    if (!isNamed(diagnosis, cause)) continue;
+    if (!isNamed(diagnosis, cause) && !isBeside(diagnosis, cause)) continue;
     const nlohmann::json::json_pointer place(cause.kind == CauseKind::kEffect ? "/effects/" + cause.name : cause.name);
     if (!diagnosis.proposed_model.contains(place)) continue;
     change[nlohmann::ordered_json::json_pointer(place.to_string())] = rounded(diagnosis.proposed_model.at(place));
@@ -41,12 +41,7 @@ void addProposal(report::Page& page, const Diagnosis& diagnosis) {
 
 void addPredictions(report::Page& page, const Diagnosis& diagnosis) {
   const NextExperiment& next = *diagnosis.next_experiment;
-  if (next.predictions.empty()) {
-    page.paragraph(
-        "Even there they differ by less than the noise of single beams: a longer recording, or a condition "
-        "that was not measured yet, is needed.");
-    return;
-  }
+  if (next.predictions.empty()) return;
   std::vector<std::vector<Html>> rows;
   for (const Prediction& p : next.predictions) {
     rows.push_back({report::text(measurandTitle(p.measurand)), report::text(percent(p.beams)),
@@ -98,7 +93,9 @@ std::vector<report::Definition> words() {
            "up."),
       word("total gap", "word-total-gap",
            "One number for all measurands: bias and scatter error, each counted in steps of the sensor's resolution, "
-           "plus the missing and extra echoes in per cent. 10 means, for instance, ten resolution steps too far."),
+           "plus the missing and extra echoes in per cent. 10 means, for instance, ten resolution steps too far. Noise "
+           "is "
+           "not taken off, so a fine resolution makes it large however right the model is."),
       word("held-out samples", "word-held-out",
            "Recordings that were kept aside while the causes were fitted. A cause must prove itself on them: on the "
            "data that it was fitted to, any cause looks good."),
@@ -107,10 +104,15 @@ std::vector<report::Definition> words() {
            "100 %: what is left is noise."),
       word("gap shrinks by", "word-shrinks",
            "By how much the total gap falls on the held-out samples when the cause is added. Below zero: it grows."),
-      word("“named”", "", "What the answer says is the cause; the others are listed for comparison."),
-      word("confidence", "word-confidence",
-           "How sure the answer is, between 0 and 100 %. The causes that explain the data share it; what is missing to "
-           "100 % is the belief that it is none of them. It is lower where data are few."),
+      word(
+          "“named”, “corrected too”", "",
+          "Named: what the answer says is the cause. Corrected too: a number that was fitted together with it and goes "
+          "into the proposed model. The others are listed for comparison."),
+      word(
+          "confidence", "word-confidence",
+          "How sure the answer is, between 0 and 100 %. The causes that explain the data share it, and causes that are "
+          "named together have one number, which is that of both; what is missing to 100 % is the belief that it is "
+          "none of them. It is lower where data are few."),
       word("95 % interval", "",
            "The range in which the true number lies in 95 of 100 cases. For fitted numbers it "
            "tells how much they change if any one set-up is left out."),
@@ -146,13 +148,19 @@ void addNext(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)
     settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
+  const std::string where = settings.empty() ? "the sample " + next.sample : "with " + core::join(settings);
+  const std::string as = settings.empty() ? "" : " (as in the sample " + next.sample + ")";
+  const std::string two =
+      fmt::format("{} and {}", causeTitle(diagnosis, next.separates[0]), causeTitle(diagnosis, next.separates[1]));
   page.paragraph(
-      fmt::format("Measure {} again{}. Of all settings in this experiment it is the one at which {} and {} differ "
-                  "most, compared to "
-                  "the noise.",
-                  settings.empty() ? "the sample " + next.sample : "with " + core::join(settings),
-                  settings.empty() ? "" : " (as in the sample " + next.sample + ")",
-                  causeTitle(diagnosis, next.separates[0]), causeTitle(diagnosis, next.separates[1])));
+      next.predictions.empty()
+          ? fmt::format("No setting of this experiment separates {}: even where they differ most, {}{}, they "
+                        "differ by less than the noise of single beams. Measure under a condition that was "
+                        "not measured yet, or record that one for longer.",
+                        two, where, as)
+          : fmt::format("Measure {} again{}. Of all settings in this experiment it is the one at which {} "
+                        "differ most, compared to the noise.",
+                        where, as, two));
   addPredictions(page, diagnosis);
 }
 

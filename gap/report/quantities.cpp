@@ -10,21 +10,7 @@ namespace gap {
 
 namespace {
 
-/// A unit in which numbers of this size are read without an exponent.
-struct Readable {
-  double per_unit;
-  std::string unit;
-};
-
-Readable readable(double largest, const std::string& unit) {
-  constexpr double kSmall = 1e-3;
-  if (largest == 0.0 || largest >= kSmall) return {1.0, unit};
-  if (unit == "W") return {1e9, "nW"};
-  if (unit == "m") return {1e3, "mm"};
-  return {1.0, unit};
-}
-
-std::string numberIn(const Readable& shown, double value, int digits) {
+std::string numberIn(const ReadableUnit& shown, double value, int digits) {
   const std::string number = core::significant(shown.per_unit * value, digits);
   if (shown.unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
   return number + (shown.unit.empty() || shown.unit == "°" ? "" : " ") + shown.unit;
@@ -38,14 +24,25 @@ bool growsManyTimes(double shrink) { return shrink < -1.0; }
 
 }  // namespace
 
+ReadableUnit readableUnit(double largest, const std::string& unit) {
+  constexpr double kSmall = 1e-3, kManyNanowatts = 1e5;
+  if (unit == "nW" && largest >= kManyNanowatts) return {1e-6, "mW"};
+  if (largest == 0.0 || largest >= kSmall) return {1.0, unit};
+  if (unit == "W") return {1e9, "nW"};
+  if (unit == "m") return {1e3, "mm"};
+  return {1.0, unit};
+}
+
 std::string withUnit(double value, const std::string& unit, int digits) { return withUnitOf(0.0, value, unit, digits); }
 
 std::string withUnitOf(double largest, double value, const std::string& unit, int digits) {
-  return numberIn(readable(std::max(largest, std::abs(value)), unit), value, digits);
+  const double size = std::max(largest, std::abs(value));
+  const double nothing = 0.5 * std::pow(10.0, -digits - 1) * size;  // would be said with an exponent
+  return numberIn(readableUnit(size, unit), std::abs(value) < nothing ? 0.0 : value, digits);
 }
 
 std::string intervalText(const Interval& interval, const std::string& unit, double largest) {
-  const Readable shown = readable(std::max({std::abs(interval.low), std::abs(interval.high), largest}), unit);
+  const ReadableUnit shown = readableUnit(std::max({std::abs(interval.low), std::abs(interval.high), largest}), unit);
   return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low), numberIn(shown, interval.high, 3));
 }
 

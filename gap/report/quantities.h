@@ -6,10 +6,18 @@
 
 namespace gap {
 
-/// A number with its unit, to some digits; powers below a milliwatt in nW, lengths below a millimetre in mm, what
-/// exists in echoes per shot.
+/// A unit in which numbers up to some size are read without an exponent: powers below a milliwatt in nW and above a
+/// tenth of it in mW, lengths below a millimetre in mm.
+struct ReadableUnit {
+  double per_unit;  ///< of the unit that it stands for
+  std::string unit;
+};
+[[nodiscard]] ReadableUnit readableUnit(double largest, const std::string& unit);
+
+/// A number with its readable unit, to some digits; what exists in echoes per shot.
 [[nodiscard]] std::string withUnit(double value, const std::string& unit, int digits = 3);
-/// The same in the unit that suits the largest of some numbers: what stands side by side shares one.
+/// The same in the unit that suits the largest of some numbers: what stands side by side shares one, and what is
+/// nothing beside the largest is 0.
 [[nodiscard]] std::string withUnitOf(double largest, double value, const std::string& unit, int digits = 3);
 /// "0.42 to 0.47 m"; both ends in one unit, which suits `largest`, too.
 [[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit, double largest = 0.0);

@@ -82,8 +82,8 @@ std::string restText(const Rest& rest, bool cause_is_named) {
   if (rest.systematic <= kAccidental)
     return left +
            fmt::format(
-               "Of what is left, {} follows distance, direction, surface or settings: it is scattered, or changes "
-               "quickly with one of them.",
+               "Of what is left, only {} follows distance, direction, surface or settings; the rest is scattered, or "
+               "changes quickly with one of them.",
                share);
   return left + fmt::format("{} of what is left follows distance, direction, surface and settings in a regular way{}",
                             share, rest.systematic >= kRegular ? ": something systematic is still missing." : ".");

@@ -21,5 +21,7 @@ void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the wo
 [[nodiscard]] std::string fittedText(const Cause& cause, const FittedParameter& parameter);
 /// Whether the verdict names a cause.
 [[nodiscard]] bool isNamed(const Diagnosis& diagnosis, const Cause& cause);
+/// Whether it is a number that was fitted together with what the verdict names.
+[[nodiscard]] bool isBeside(const Diagnosis& diagnosis, const Cause& cause);
 
 }  // namespace gap

@@ -30,7 +30,7 @@ struct StratumWording {
   const char* interval;
   const char* point;
 };
-constexpr std::array<StratumWording, 7> kStrata = {{
+constexpr std::array<StratumWording, 6> kStrata = {{
     {"range_m", "at ranges from {0} to {1} m", "at the range {0} m"},
     {"azimuth_deg", "at azimuths from {0}° to {1}°", "at the azimuth {0}°"},
     {"elevation_deg", "at elevations from {0}° to {1}°", "at the elevation {0}°"},
@@ -38,7 +38,6 @@ constexpr std::array<StratumWording, 7> kStrata = {{
      "where beams meet the surface {0}° from its normal"},
     {"time_s", "from {0} to {1} s after the start of the frame", "{0} s after the start of the frame"},
     {"epw_m", "where the echo pulse width is {0} to {1} m", "where the echo pulse width is {0} m"},
-    {"intensity", "where the intensity is {0} to {1} nW", "where the intensity is {0} nW"},
 }};
 
 std::string lowerFirst(std::string text) {
@@ -126,6 +125,12 @@ std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>&
   return listOf(titles);
 }
 
+/// "3.2 to 4.1 mW", or one number where both are the same.
+std::string intensitiesText(double low_nw, double high_nw) {
+  const std::string low = withUnitOf(high_nw, low_nw, "nW"), high = withUnit(high_nw, "nW");
+  return low == high ? high : intervalText({low_nw, high_nw}, "nW");
+}
+
 /// Their names; of many the first few.
 std::string setupsText(const std::vector<std::string>& names) {
   constexpr std::size_t kFew = 6;
@@ -190,14 +195,15 @@ PartedRows partedByKind(const std::vector<WhereRow>& rows) {
 }
 
 std::string stratumText(const WhereRow& row) {
+  if (row.covariate == "intensity") return "where the intensity is " + intensitiesText(row.low, row.high);
   if (row.numeric) {
     const std::string low = core::significant(row.low), high = core::significant(row.high);
     for (const StratumWording& wording : kStrata) {
       if (row.covariate == wording.covariate)
         return fmt::format(fmt::runtime(low == high ? wording.point : wording.interval), low, high);
     }
-    return low == high ? fmt::format("where {} is {}", row.covariate, low)
-                       : fmt::format("where {} is {} to {}", row.covariate, low, high);
+    return low == high ? fmt::format("where the setting {} is {}", row.covariate, low)
+                       : fmt::format("where the setting {} is {} to {}", row.covariate, low, high);
   }
   const std::string names = setupsText(row.names);
   if (row.covariate == "object") return fmt::format("on {}", names);
@@ -291,6 +297,12 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
 
 namespace {
 
+/// What was fitted together with the effects that are named.
+std::string correctedToo(const Diagnosis& diagnosis) {
+  const std::vector<std::string>& beside = diagnosis.verdict.beside;
+  return beside.empty() ? "" : fmt::format(" Besides, the {} has another value.", titlesOf(diagnosis, beside));
+}
+
 std::string plainAnswer(const Diagnosis& diagnosis) {
   const std::string causes = titlesOf(diagnosis, diagnosis.verdict.names);
   const bool several = diagnosis.verdict.names.size() > 1;
@@ -301,8 +313,8 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
                  : "Measurement and simulation agree to within what matters at the sensor's resolution: no gap "
                    "is to be explained.";
     case VerdictKind::kEffect:
-      return fmt::format("The measurement shows {} that the simulation lacks: {}.", several ? "effects" : "an effect",
-                         causes);
+      return fmt::format("The measurement shows {} that the simulation lacks: {}.{}", several ? "effects" : "an effect",
+                         causes, correctedToo(diagnosis));
     case VerdictKind::kParameter:
       return fmt::format("No effect is missing, but {} in the simulation: {}.",
                          several ? "numbers are wrong" : "a number is wrong", causes);
@@ -352,8 +364,9 @@ std::string asRunSentence(const Diagnosis& diagnosis) {
     return "";
   const AsRun& as_run = *diagnosis.as_run;
   return fmt::format(
-      "Beams that an edge cuts are traced more finely here than the model does with its {} × {} rays per beam. Run as "
-      "it is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is said here.",
+      "Beams that meet the edge of an object are traced more finely here than the model does with its {} × {} rays per "
+      "beam. Run as it is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is "
+      "said here.",
       as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3),
       core::significant(as_run.after_total, 3),
       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
@@ -379,10 +392,11 @@ std::string nextExperimentSentence(const NextExperiment& next) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)
     settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
-  return fmt::format("Repeat with {}{}: there {} and {} differ most compared to the noise.",
+  return fmt::format("{} with {}{}: there {} and {} differ most compared to the noise{}.",
+                     next.predictions.empty() ? "Record for longer" : "Repeat",
                      settings.empty() ? "the setting of sample " + next.sample : core::join(settings),
                      settings.empty() ? "" : " (as in sample " + next.sample + ")", next.separates[0],
-                     next.separates[1]);
+                     next.separates[1], next.predictions.empty() ? ", but by less than that of single beams" : "");
 }
 
 }  // namespace gap

@@ -94,33 +94,34 @@ class MapGrid {
 ResidualMap mapOf(const Replay& replay, const ResidualTable& table, std::size_t s) {
   const ReplaySample& sample = replay.samples()[s];
   const MapGrid grid(sample.beams, azimuthStep_deg(replay));
-  std::map<MapGrid::Place, std::pair<double, double>> sums;
+  std::map<MapGrid::Place, std::vector<const ResidualTable::Row*>> rows;
   long first = std::numeric_limits<long>::max(), last = std::numeric_limits<long>::min();
   std::size_t lowest = std::numeric_limits<std::size_t>::max(), highest = 0;
   for (const ResidualTable::Row& row : table.rows) {
     if (row.sample != s) continue;
     const auto place = grid.placeOf(sample.beams[sample.layout->cells()[row.cell].beam]);
-    auto& [sum, weight] = sums[place];
-    sum += row.weight * row.value;
-    weight += row.weight;
+    rows[place].push_back(&row);
     first = std::min(first, place.column);
     last = std::max(last, place.column);
     lowest = std::min(lowest, place.row);
     highest = std::max(highest, place.row);
   }
   ResidualMap map{table.measurand, table.component, table.unit, sample.sample->id, grid.step_deg(), {}, {}};
-  if (sums.empty()) return map;
+  if (rows.empty()) return map;
   // Beams without data stay on the map, but a scan is not shown where nobody saw anything.
   const std::size_t bottom = lowest == 0 ? 0 : lowest - 1, top = std::min(highest + 1, grid.names().size() - 1);
   for (const model::Beam& beam : sample.beams) {
     const auto place = grid.placeOf(beam);
     if (place.column >= first - 1 && place.column <= last + 1 && place.row >= bottom && place.row <= top)
-      sums.try_emplace(place, 0.0, 0.0);
+      rows.try_emplace(place);
   }
   map.rows.assign(grid.names().begin() + static_cast<std::ptrdiff_t>(bottom),
                   grid.names().begin() + static_cast<std::ptrdiff_t>(top) + 1);
-  for (const auto& [place, sum] : sums) {
-    map.points.push_back({grid.azimuthOf(place), place.row - bottom, sum.second > 0.0 ? sum.first / sum.second : NAN});
+  for (const auto& [place, of_place] : rows) {
+    double sum = 0.0;
+    for (const ResidualTable::Row* row : of_place) sum += row->weight * row->value;
+    const double weight = table.weightOf(of_place);
+    map.points.push_back({grid.azimuthOf(place), place.row - bottom, weight > 0.0 ? sum / weight : NAN});
   }
   return map;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gap/distance/discrepancy.h"
 
@@ -21,10 +22,30 @@ double ResidualTable::sumBeyondErrors() const {
   return sum;
 }
 
-double ResidualTable::excess() const {
+double ResidualTable::weightOf(std::span<const Row* const> some) const {
   double weight = 0.0;
-  for (const Row& row : rows) weight += row.weight;
-  return weight > 0.0 ? sumBeyondErrors() / weight / scale : 0.0;
+  std::vector<const Row*> beams;
+  for (const Row* row : some) {
+    if (sign() == 0.0) weight += row->weight;
+    if (sign() != 0.0) beams.push_back(row);
+  }
+  // A beam's cells share its shots.
+  const auto beamOf = [](const Row* row) { return std::pair(row->sample, row->beam); };
+  std::sort(beams.begin(), beams.end(), [&](const Row* a, const Row* b) { return beamOf(a) < beamOf(b); });
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    if (i == 0 || beamOf(beams[i]) != beamOf(beams[i - 1])) weight += beams[i]->weight;
+  return weight;
+}
+
+double ResidualTable::weight() const {
+  std::vector<const Row*> all;
+  for (const Row& row : rows) all.push_back(&row);
+  return weightOf(all);
+}
+
+double ResidualTable::excess() const {
+  const double all = weight();
+  return all > 0.0 ? sumBeyondErrors() / all / scale : 0.0;
 }
 
 double ResidualTable::sign() const { return component == "missing" ? -1.0 : component == "extra" ? 1.0 : 0.0; }
@@ -36,15 +57,14 @@ double ResidualTable::meanOfNoise(const Row& row) const {
 }
 
 double ResidualTable::commonShift() const {
-  double sum = 0.0, weight = 0.0, variance = 0.0, noise = 0.0;
+  double sum = 0.0, variance = 0.0, noise = 0.0;
   for (const Row& row : rows) {
     sum += row.weight * row.value;
     noise += row.weight * meanOfNoise(row);
-    weight += row.weight;
     variance += row.weight * row.weight * row.error * row.error;
   }
   if (sign() * sum < 0.0) return 0.0;
-  return weight > 0.0 && std::abs(sum) - noise > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight / scale : 0.0;
+  return std::abs(sum) - noise > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight() / scale : 0.0;
 }
 
 const model::Measurand& measurandOf(const Replay& replay, Channel channel) {
@@ -82,7 +102,7 @@ void addValues(const Replay& replay, const Sides& sides, Channel channel, std::v
 void addExistence(const Replay& replay, const Sides& sides, std::vector<ResidualTable>& tables) {
   ResidualTable missing{"existence", "missing", "1/shot", kExistenceScale, {}};
   ResidualTable extra{"existence", "extra", "1/shot", kExistenceScale, {}};
-  double echoes = 0.0, shots = 0.0;
+  double echoes = 0.0;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
     if (sample.layout->pooled()) continue;
@@ -94,16 +114,19 @@ void addExistence(const Replay& replay, const Sides& sides, std::vector<Residual
       const double error = std::sqrt(rate * (1.0 - rate) * (1.0 / of_measured + 1.0 / of_simulated) + 1e-4);
       const double value = measured - expected;
       echoes += expected * of_measured;
-      shots += of_measured;
       // What may be noise stays in both with its sign, so that it averages out: a half of it would look like a loss.
       const bool noise = std::abs(value) < kBeyondNoise * error;
-      missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, of_measured});
-      extra.rows.push_back({s, c, noise ? value : std::max(0.0, value), error, of_measured});
+      const std::uint32_t beam = sample.layout->cells()[c].beam;
+      if (expected > 0.0)
+        missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, of_measured, beam});
+      extra.rows.push_back({s, c, noise ? value : std::max(0.0, value), error, of_measured, beam});
     }
   }
-  if (shots > 0.0 && echoes > 0.0) missing.scale = extra.scale = kExistenceScale * echoes / shots;
-  if (!missing.rows.empty()) tables.push_back(std::move(missing));
-  if (!extra.rows.empty()) tables.push_back(std::move(extra));
+  for (ResidualTable* table : {&missing, &extra}) {
+    if (table->rows.empty()) continue;
+    if (echoes > 0.0) table->scale = kExistenceScale * echoes / table->weight();
+    tables.push_back(std::move(*table));
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,9 +18,10 @@ using CellsOfSamples = std::vector<std::vector<CellStatistics>>;
 /// Measured minus simulated of every cell, with everything that is known about it.
 struct ResidualTable {
   struct Row : CellPlace {
-    double value = 0.0;   ///< measured - simulated
-    double error = 0.0;   ///< standard error
-    double weight = 0.0;  ///< detections, or shots for existence
+    double value = 0.0;      ///< measured - simulated
+    double error = 0.0;      ///< standard error
+    double weight = 0.0;     ///< detections, or shots for existence
+    std::uint32_t beam = 0;  ///< of existence: the places of one beam share its shots
 
     /// What of the residual its noise does not explain.
     [[nodiscard]] double beyondError() const;
@@ -39,6 +42,10 @@ struct ResidualTable {
   /// How far noise alone moves the mean of a residual of this error: the tail of the other sign is cut off at
   /// kBeyondNoise, so what is left of a normal distribution has a mean of φ(kBeyondNoise) standard deviations.
   [[nodiscard]] double meanOfNoise(const Row& row) const;
+  /// How many detections some of its rows stand for; of existence shots, each once, however many places of its beam are
+  /// among them.
+  [[nodiscard]] double weightOf(std::span<const Row* const> some) const;
+  [[nodiscard]] double weight() const;  ///< of all rows
   /// Of the residuals, each beyond its error and with its weight.
   [[nodiscard]] double sumBeyondErrors() const;
   /// Mean size of the residuals beyond their errors, in scale units: how much there is to explain.
@@ -56,7 +63,7 @@ struct Sides {
   std::vector<int> simulated_frames;
 };
 
-/// Residuals of every channel (bias and scatter) and of existence.
+/// Residuals of every channel (bias and scatter) and of existence. Echoes are missing where the simulation has some.
 [[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides);
 
 /// The measurand of the experiment that a channel carries.

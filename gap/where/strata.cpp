@@ -209,8 +209,13 @@ double readability(const std::string& covariate) {
 WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum& stratum) {
   const ResidualTable& table = gaps.table();
   Group joint;
-  for (const Row& row : table.rows)
-    if (stratum.holds(row, covariate)) joint.add(row, gaps);
+  std::vector<const Row*> held;
+  for (const Row& row : table.rows) {
+    if (!stratum.holds(row, covariate)) continue;
+    joint.add(row, gaps);
+    held.push_back(&row);
+  }
+  const double weight = table.weightOf(held);
   WhereRow row;
   row.measurand = table.measurand;
   row.component = table.component;
@@ -219,10 +224,10 @@ WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum&
   row.low = stratum.low;
   row.high = stratum.high;
   row.names = stratum.names;
-  row.value = joint.weight > 0.0 ? joint.value / joint.weight : 0.0;
+  row.value = weight > 0.0 ? joint.value / weight : 0.0;
   row.unit = table.unit;
   row.share = std::clamp(joint.gap / gaps.all(), 0.0, 1.0);
-  row.size = joint.weight / gaps.weight();
+  row.size = weight / table.weight();
   const double beyond_noise = std::max(0.0, std::abs(joint.value) - joint.noise);
   row.p_value = 2.0 * upperTail(beyond_noise / std::sqrt(std::max(1e-300, joint.variance)));
   row.score = stratum.lift * readability(covariate.name);

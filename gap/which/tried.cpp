@@ -14,8 +14,7 @@ namespace gap {
 
 namespace {
 
-constexpr double kFar = 20.0;           // errors: of a surface that only one side detects, in every channel
-constexpr double kOftenDetected = 0.3;  // of the shots: rarer than this such a surface is no more than its rate
+constexpr double kFar = 20.0;  // errors: of a surface that only one side detects, in every channel
 constexpr std::size_t kSignatureSamples = 4;
 constexpr int kSignatureFrames = 4;
 constexpr int kDigits = 8;  // of numbers in the list

@@ -131,6 +131,36 @@ TEST(GapPage, OfAMissingEffectNamesItWithItsStrengthItsTrustAndItsNextSteps) {
   EXPECT_THAT(html, HasSubstr("wall &lt;1&gt;"));
 }
 
+TEST(GapPage, OfAnEffectAndANumberCorrectedBesideItTellsBothAndWhatChangesInTheModel) {
+  gap::Diagnosis d = fogDiagnosis();
+  d.causes.insert(d.causes.begin() + 1, causeOf(gap::CauseKind::kParameter, "/sensor/emitter/peak_power_w", 0.96));
+  d.verdict.beside = {"/sensor/emitter/peak_power_w"};
+  d.proposed_model["sensor"] = {{"emitter", {{"peak_power_w", 43.34}}}};
+  const std::string html = gap::reportHtml(d);
+  expectSoundPage(html);
+  EXPECT_THAT(html, HasSubstr("Besides, the peak power of the emitter has another value."));
+  EXPECT_THAT(html, HasSubstr("<span class=\"badge bad\">corrected too</span>"));
+  EXPECT_THAT(html, HasSubstr("43.34"));
+  EXPECT_THAT(html, HasSubstr("both together"));
+}
+
+TEST(GapPage, OfCausesThatNoSettingSeparatesDoesNotAskToRepeatOne) {
+  gap::Diagnosis d = fogDiagnosis();
+  d.next_experiment->predictions.clear();
+  const std::string html = gap::reportHtml(d);
+  EXPECT_THAT(html, HasSubstr("No setting of this experiment separates"));
+  EXPECT_THAT(html, Not(HasSubstr("Measure with range_m = 57 again")));
+}
+
+TEST(GapPage, OfBeamsThatJudgeDoesNotSayThatNoFitSawTheSamples) {
+  gap::Diagnosis d = fogDiagnosis();
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("they took no part in fitting it"));
+  d.weak_hold_out = true;
+  const std::string html = gap::reportHtml(d);
+  EXPECT_THAT(html, Not(HasSubstr("they took no part in fitting it")));
+  EXPECT_THAT(html, HasSubstr("one half of the beams took no part"));
+}
+
 TEST(GapPage, OfNoGapSaysSoAndSearchesForNoCause) {
   const std::string html = gap::reportHtml(plainDiagnosis(gap::VerdictKind::kNone));
   expectSoundPage(html);

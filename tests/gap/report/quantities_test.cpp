@@ -12,6 +12,14 @@ TEST(Quantities, AreReadWithoutExponent) {
   EXPECT_EQ(withUnit(0.0, "m"), "0 m");
   EXPECT_EQ(withUnit(0.12345, "m", 2), "0.12 m");
   EXPECT_EQ(withUnit(12.0, "°"), "12°");
+  EXPECT_EQ(withUnit(21500.0, "nW"), "21500 nW");
+  EXPECT_EQ(withUnit(-1.32e7, "nW"), "-13.2 mW");
+}
+
+TEST(Quantities, WhatIsNothingBesideItsNeighboursIsZero) {
+  EXPECT_EQ(withUnitOf(0.1, -4.2e-5, "m", 2), "0 m");
+  EXPECT_EQ(withUnitOf(0.1, 0.0066, "m", 2), "0.0066 m");
+  EXPECT_EQ(withUnitOf(2.5e6, 3000.0, "nW"), "0.003 mW");
 }
 
 TEST(Quantities, BothEndsOfAnIntervalHaveOneUnit) {

@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "gap/report/wording.h"
+#include "gap/where/pictures.h"
 #include "tests/gap/small_world.h"
 
 namespace {
@@ -38,22 +39,57 @@ TEST(Where, ExcessCountsWhatTheErrorLeavesInStepsOfTheResolution) {
   EXPECT_NEAR(tableOf({0.05, 0.0}, 0.015).excess(), 0.5, 1e-12);
 }
 
-// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
-// high by chance are no stratum in which the model is wrong.
 // What lies two errors above zero counts as an extra echo, not as a missing one, so noise alone has a mean below zero.
 TEST(Where, MissingEchoesThatNoiseAloneMakesAreNoCommonShift) {
   constexpr double kError = 0.03;
   gap::ResidualTable missing{"existence", "missing", "1/shot", 0.01, {}};
   core::Random random({.seed = 5});
-  for (std::size_t cell = 0; cell < 40000; ++cell) {
+  for (std::uint32_t beam = 0; beam < 40000; ++beam) {
     const double value = kError * random.normal();
-    missing.rows.push_back({0, cell, value < 2.0 * kError ? value : 0.0, kError, 20.0});
+    missing.rows.push_back({0, beam, value < 2.0 * kError ? value : 0.0, kError, 20.0, beam});
   }
   EXPECT_EQ(missing.commonShift(), 0.0);
   for (gap::ResidualTable::Row& row : missing.rows) row.value -= 0.1 * kError;
   EXPECT_NEAR(missing.commonShift(), 0.154 * kError / 0.01, 0.05);  // with φ(2) of the error, which stays in the value
 }
 
+// A beam's echoes are looked for in several places: on each surface that it meets, and where nothing is.
+TEST(Where, ShotsOfABeamCountOnce) {
+  constexpr std::uint32_t kBeam = 7;
+  gap::ResidualTable table{"existence", "extra", "1/shot", 0.01, {}};
+  table.rows = {{0, 0, 0.1, 0.01, 20.0, kBeam}, {0, 1, 0.2, 0.01, 20.0, kBeam}, {1, 0, 0.0, 0.01, 30.0, kBeam}};
+  EXPECT_EQ(table.weight(), 50.0);
+  EXPECT_EQ(table.weightOf(std::vector{&table.rows[0], &table.rows[1]}), 20.0);
+  table.component = "bias";
+  EXPECT_EQ(table.weight(), 70.0) << "detections are not shots";
+}
+
+TEST(Where, TellsMissingEchoesPerShot) {
+  constexpr double kLoss = 0.3;
+  const test_support::SmallWorld world;
+  const auto truth = test_support::SmallWorld::modelWith({{"detection-loss", {{"probability", kLoss}}}});
+  const auto measured = world.measuredBy(truth, 0.4);
+  const gap::Replay replay(measured, test_support::SmallWorld::modelWith({}));
+  const gap::WhereResult where = gap::whereIn(replay, replay.baseline(), 1);
+  std::size_t strata = 0, maps = 0;
+  for (const gap::WhereRow& row : where.rows) {
+    if (row.component != "missing") continue;
+    EXPECT_NEAR(row.value, -kLoss, 0.06) << gap::whereSentence(row);
+    ++strata;
+  }
+  for (const gap::ResidualMap& map : gap::residualMaps(replay, where.tables)) {
+    if (map.component != "missing") continue;
+    double sum = 0.0;
+    for (const gap::ResidualMap::Point& point : map.points) sum += point.value;
+    EXPECT_NEAR(sum / static_cast<double>(map.points.size()), -kLoss, 0.06) << map.sample;
+    ++maps;
+  }
+  EXPECT_GT(strata, 3U);
+  EXPECT_GT(maps, 0U);
+}
+
+// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
+// high by chance are no stratum in which the model is wrong.
 TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
   const test_support::SmallWorld world;
   const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});

@@ -1,0 +1,76 @@
+#include "gap/next_experiment.h"
+
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "gap/which/partners.h"
+#include "tests/gap/hypothesis_named.h"
+#include "tests/gap/small_world.h"
+
+namespace {
+
+using test_support::SmallWorld;
+using Names = std::vector<std::string>;
+
+/// Ranges that are all off, seen through dirt in half of the view.
+class NextExperiment : public testing::Test {
+ protected:
+  [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
+    return {test_support::hypothesisNamed(gap::hypothesesFor(replay_, {name}), name), std::move(values)};
+  }
+  [[nodiscard]] Names separatedBy(const gap::Decision& decision) const {
+    const auto next = gap::nextExperiment(judge_, decision);
+    return next ? next->separates : Names{};
+  }
+
+  SmallWorld world_;
+  model::Experiment measured_ = world_.measuredBy(
+      SmallWorld::modelWith(
+          {{"range-offset", {{"offset_m", 0.4}}},
+           {"cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
+      0.4);
+  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
+  gap::Judge judge_{replay_, gap::splitOf(replay_, 1), gap::yardstickOf(replay_, gap::splitOf(replay_, 1).held_out)};
+  gap::Candidate offset_ = with("range-offset", {0.4}), dirt_ = with("cover-contamination", {0.3, 0.0, 60.0}),
+                 drift_ = with("clock-drift", {5000.0}), loss_ = with("detection-loss", {0.1});
+};
+
+TEST_F(NextExperiment, SeparatesWhatIsNamedFromTheBestOfTheOthers) {
+  gap::Decision decision;
+  decision.singles = {drift_, offset_, dirt_};
+  decision.name(offset_);
+  EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "clock-drift"}));
+}
+
+TEST_F(NextExperiment, SeparatesTheBestTwoWhereNoneIsNamed) {
+  gap::Decision decision;
+  decision.singles = {drift_, drift_, dirt_, offset_};
+  EXPECT_EQ(separatedBy(decision), (Names{"clock-drift", "cover-contamination"}));
+}
+
+// The clock is the rival of the offset, though a loss of echoes comes nearer than either of the causes alone.
+TEST_F(NextExperiment, OfTwoCausesSeparatesOneFromWhatMayStandInItsPlace) {
+  gap::Decision decision;
+  decision.singles = {loss_, drift_, offset_, dirt_};
+  decision.pairs = {gap::pairOf(offset_, dirt_), gap::pairOf(drift_, loss_), gap::pairOf(dirt_, drift_)};
+  decision.name(decision.pairs.front());
+  EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "clock-drift"}));
+}
+
+// An offset of 0.4 m; a clock that is 0.5 % fast makes 0.04 m of it at the nearest wall, and 0.33 m at the farthest.
+TEST_F(NextExperiment, IsTheSampleInWhichTheTwoDifferMost) {
+  gap::Decision decision;
+  decision.singles = {offset_, drift_};
+  const auto next = gap::nextExperiment(judge_, decision);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->sample, "r8");
+}
+
+TEST_F(NextExperiment, IsNoneWithoutASecondCause) {
+  gap::Decision decision;
+  decision.singles = {offset_};
+  decision.name(offset_);
+  EXPECT_FALSE(gap::nextExperiment(judge_, decision));
+}
+
+}  // namespace
