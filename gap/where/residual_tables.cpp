@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "gap/distance/discrepancy.h"
@@ -77,6 +78,27 @@ const model::Measurand& measurandOf(const Replay& replay, Channel channel) {
 
 namespace {
 
+/// What the steps q in which values are reported add to the standard error of the difference of two standard
+/// deviations, where the noise σ is less than about half a step. By the place in a step where a mean lies the same
+/// noise scatters by nothing or by half a step: the variance of normal values, rounded to q, is σ² + q²/12 - (q²/π² + 4
+/// σ²) w cos(2 π μ/q) with w = exp(-2 π² σ²/q²), and smaller terms (Widrow & Kollár 2008, Quantization Noise, ch. 4).
+/// Means that are the same lie at the same place; others may lie anywhere. And values at one of two steps, with the
+/// shares p and 1 - p, have the standard deviation q √(p (1 - p)), of which n values tell no more than q (1 - 2 p)/(2
+/// √n).
+double errorOfSteps(const CellStatistics& m, const CellStatistics& x, Channel channel, double step) {
+  constexpr double kPi = std::numbers::pi;
+  const double of_steps = step * step / 12.0;
+  const double of_noise = std::max(0.0, 0.5 * (m.variance(channel) + x.variance(channel)) - of_steps);
+  const double w = std::exp(-2.0 * kPi * kPi * of_noise / (step * step));
+  const double wave = (step * step / (kPi * kPi) + 4.0 * of_noise) * w;
+  const double apart = std::min(0.25, std::abs(m.mean(channel) - x.mean(channel)) / step);
+  const double most = std::sqrt(of_noise + of_steps + wave),
+               least = std::sqrt(std::max(0.0, of_noise + of_steps - wave));
+  const double of_place = 0.5 * (most - least) * std::sqrt(1.0 - std::cos(2.0 * kPi * apart));
+  const double of_few = 0.5 * step * std::sqrt(w * (1.0 / m.count + 1.0 / x.count));
+  return std::hypot(of_place, of_few);
+}
+
 void addValues(const Replay& replay, const Sides& sides, Channel channel, std::vector<ResidualTable>& tables) {
   const model::Measurand& measurand = measurandOf(replay, channel);
   ResidualTable bias{measurand.name, "bias", measurand.unit, measurand.resolution, {}};
@@ -89,9 +111,10 @@ void addValues(const Replay& replay, const Sides& sides, Channel channel, std::v
           {s, c, m.mean(channel) - x.mean(channel), meanError(replay, replay.samples()[s], c, channel, m, x), m.count});
       if (m.count < 5.0 || x.count < 5.0) continue;
       const double sm = std::sqrt(m.variance(channel)), sx = std::sqrt(x.variance(channel));
+      const double of_steps = errorOfSteps(m, x, channel, measurand.resolution);
       const double error =
           std::sqrt(m.variance(channel) / (2.0 * (m.count - 1.0)) + x.variance(channel) / (2.0 * (x.count - 1.0)) +
-                    std::pow(0.1 * measurand.resolution, 2.0));
+                    std::pow(0.1 * measurand.resolution, 2.0) + of_steps * of_steps);
       scatter.rows.push_back({s, c, sm - sx, error, m.count});
     }
   }

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kQuantileGroups = 16;
 constexpr std::size_t kFewGroups = 2;    // a run of so few is cut once more
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
+constexpr double kEverything = 0.999;    // of the data
 constexpr double kSomewhere = 0.05;      // lift: what a cause changes less unevenly it changes everywhere alike
 
 using Row = ResidualTable::Row;
@@ -260,7 +261,9 @@ Ranked rankedRows(const ResidualTable& table, const TableChange* change, const s
     if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(gaps, covariate);
     if (!stratum) continue;
     WhereRow row = rowOf(gaps, covariate, *stratum);
-    if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
+    // A cause may act where one of both sides has nothing to compare; and of places that all shots have, as the void
+    // behind the last surface, none is a part of the data.
+    if (row.size <= 0.0 || row.size >= kEverything) continue;
     row.p_value = std::min(1.0, row.p_value * static_cast<double>(stratum->tried * covariates.size() * tables));
     if (!row.mayBeChance()) ranked.gap = size;
     ranked.rows.push_back(std::move(row));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <map>
+#include <utility>
 
 #include "gap/distance/settle.h"
 #include "gap/where/moved_echoes.h"
@@ -40,15 +43,43 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
   return shots > 0.0 ? std::max(0.0, more / shots) : 0.0;
 }
 
-/// How far a cause changes a table: the residuals in standard errors, each for the echoes of a shot that it concerns
-/// and by the loss of Cauchy's distribution, log(1 + z²/2), which hardly grows with what is far out already. So a step
-/// or two in every beam is more than metres in a few, where two echoes are one or two by a hair. Of existence only the
-/// sign that the component has: what may be noise stands in both.
-double changeIn(const ResidualTable& table, const std::vector<int>& frames) {
+/// The residuals of a table in standard errors, by place; a place where echoes moved has two.
+class ByPlace {
+ public:
+  explicit ByPlace(const ResidualTable& table) {
+    for (const ResidualTable::Row& row : table.rows) residuals_[{row.sample, row.cell}].push_back(deviationOf(row));
+  }
+  /// The next one of the place of a row; 0 if there are no more.
+  double next(const ResidualTable::Row& row) {
+    std::deque<double>& left = residuals_[{row.sample, row.cell}];
+    if (left.empty()) return 0.0;
+    const double first = left.front();
+    left.pop_front();
+    return first;
+  }
+  [[nodiscard]] static double deviationOf(const ResidualTable::Row& row) {
+    return row.error > 0.0 ? row.value / row.error : 0.0;
+  }
+
+ private:
+  std::map<std::pair<std::size_t, std::size_t>, std::deque<double>> residuals_;
+};
+
+/// How far a cause changes a table, which was simulated twice: the product of both residuals in standard errors, z²,
+/// each for the echoes of a shot that it concerns and by the loss of Cauchy's distribution, log(1 + z²/2), which hardly
+/// grows with what is far out already. So a step or two in every beam is more than metres in a few, where two echoes
+/// are one or two by a hair; and where the cause makes the noise another one (air that sends light back has its own),
+/// its products have any sign and add up to nothing. Echoes come and go by chance where a cause is rare, so of
+/// existence one simulation tells; only the sign that the component has counts, for what may be noise stands in both.
+double changeIn(const ResidualTable& table, const ResidualTable& once_more, const std::vector<int>& frames) {
+  ByPlace others(once_more);
   double sum = 0.0;
-  for (const ResidualTable::Row& row : table.rows)
-    if (row.error > 0.0 && table.sign() * row.value >= 0.0)
-      sum += row.weight / frames[row.sample] * std::log1p(0.5 * std::pow(row.value / row.error, 2.0));
+  for (const ResidualTable::Row& row : table.rows) {
+    const double deviation = ByPlace::deviationOf(row);
+    const double product = deviation * (table.sign() == 0.0 ? others.next(row) : deviation);
+    if (table.sign() * row.value >= 0.0)
+      sum += row.weight / frames[row.sample] * std::copysign(std::log1p(0.5 * std::abs(product)), product);
+  }
   return sum;
 }
 
@@ -74,6 +105,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
     frames.push_back(std::clamp(sample.frames, 3, kWhereFrames));
     comparisons.push_back({s, sample.statistics, sample.frames, replay.simulate(world, s, frames[s], seed), frames[s]});
   }
+  for (const Comparison& comparison : comparisons) result.once_more.push_back(comparison.simulated);
   settle(replay, world, comparisons, {});
   for (std::size_t s = 0; s < simulated.size(); ++s) {
     simulated[s] = std::move(comparisons[s].simulated);
@@ -102,16 +134,23 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
 }
 
 std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& without, const WhereResult& with) {
-  const auto tables = residualTables(replay, {with.expected, with.frames, without.expected, without.frames});
+  const auto differences = [&](const CellsOfSamples& cause, const CellsOfSamples& none) {
+    return withMovedEchoes(replay, residualTables(replay, {cause, with.frames, none, without.frames}), cause, none);
+  };
+  std::vector<ResidualTable> tables = differences(with.expected, without.expected);
+  const std::vector<ResidualTable> once_more = differences(with.once_more, without.once_more);
   std::vector<TableChange> changes;
   double most = 0.0;
-  for (ResidualTable& table : withMovedEchoes(replay, tables, with.expected, without.expected)) {
-    const double change = changeIn(table, with.frames);
+  for (ResidualTable& table : tables) {
+    const auto other = std::find_if(once_more.begin(), once_more.end(),
+                                    [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
+    if (other == once_more.end()) continue;
+    const double change = changeIn(table, *other, with.frames);
     most = std::max(most, change);
     changes.push_back({withoutNoise(std::move(table)), change});
   }
   std::erase_if(changes,
-                [&](const TableChange& change) { return change.size < kChanges * most || change.size == 0.0; });
+                [&](const TableChange& change) { return change.size < kChanges * most || change.size <= 0.0; });
   return whereRows(replay, without.by_beam, without.expected, changes);
 }
 

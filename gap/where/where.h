@@ -18,6 +18,7 @@ struct WhereResult {
   std::vector<ResidualTable> tables;
   std::vector<ResidualTable> by_beam;   ///< the same with moved echoes as residuals (moved_echoes.h); the rows' tables
   CellsOfSamples expected;              ///< by the world, under other noise,
+  CellsOfSamples once_more;             ///< and under yet another,
   std::vector<int> frames;              ///< in so many frames of every sample
   std::vector<Sector> sectors;          ///< that explain the residuals best (sectors.h)
   Gate gate;                            ///< that explains what is missing best (gate.h)
@@ -29,8 +30,8 @@ struct WhereResult {
 [[nodiscard]] WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed);
 
 /// The rows of a world that lacks a cause once that cause is known: what it changes most comes first, as both worlds
-/// show it under the same noise. What it leaves as it is, however large, comes after that: two programs, or a second
-/// fault, differ in other places.
+/// show it twice, under the same noise as far as the cause leaves that alone. What it leaves as it is, however large,
+/// comes after that: two programs, or a second fault, differ in other places.
 [[nodiscard]] std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& without,
                                                 const WhereResult& with);
 

@@ -25,6 +25,12 @@ struct Taken {
   }
 };
 
+/// Standard error of the difference of two sums of z² (χ² distributions of as many degrees of freedom). Means are
+/// compared under the same noise; how values scatter about other means is not.
+double byChance(const Residuals& a, const Residuals& b) {
+  return std::sqrt(2.0 * static_cast<double>(a.rows.size() + b.rows.size()));
+}
+
 std::vector<Covariate> directionsOf(const Replay& replay, const CellsOfSamples& expected) {
   std::vector<Covariate> covariates = covariatesOf(replay, expected);
   std::erase_if(covariates, [](const Covariate& covariate) { return covariate.name != "azimuth_deg"; });
@@ -47,7 +53,8 @@ std::vector<Law> directionLawsIn(const Judge& judge, const Candidate& cause, con
     Residuals left = residualsOf(replay, *with_cause, judge.split.held_out);
     fit.floor = held_out.floor = left.floor = floorOf(table);
     if (fit.rows.size() < kFewestRows || held_out.rows.size() < kFewestRows) continue;
-    more_left_by_cause += left.squares() - held_out.squares();
+    const double more_left = left.squares() - held_out.squares();
+    if (table.component == "bias" || std::abs(more_left) > byChance(held_out, left)) more_left_by_cause += more_left;
     if (table.component != "bias") continue;
     Taken taken{shortestLaw(replay, directions, table, before.expected, fit, held_out)};
     taken.squares = taken.law.explained * held_out.squares();
