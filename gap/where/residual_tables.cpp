@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "gap/distance/discrepancy.h"
 
@@ -25,16 +24,17 @@ double ResidualTable::sumBeyondErrors() const {
 
 double ResidualTable::weightOf(std::span<const Row* const> some) const {
   double weight = 0.0;
-  std::vector<const Row*> beams;
+  std::vector<std::vector<bool>> counted;  // beams of every sample
   for (const Row* row : some) {
-    if (sign() == 0.0) weight += row->weight;
-    if (sign() != 0.0) beams.push_back(row);
+    if (sign() != 0.0) {
+      if (counted.size() <= row->sample) counted.resize(row->sample + 1);
+      std::vector<bool>& beams = counted[row->sample];
+      if (beams.size() <= row->beam) beams.resize(row->beam + std::size_t{1});
+      if (beams[row->beam]) continue;
+      beams[row->beam] = true;
+    }
+    weight += row->weight;
   }
-  // A beam's cells share its shots.
-  const auto beamOf = [](const Row* row) { return std::pair(row->sample, row->beam); };
-  std::sort(beams.begin(), beams.end(), [&](const Row* a, const Row* b) { return beamOf(a) < beamOf(b); });
-  for (std::size_t i = 0; i < beams.size(); ++i)
-    if (i == 0 || beamOf(beams[i]) != beamOf(beams[i - 1])) weight += beams[i]->weight;
   return weight;
 }
 

@@ -26,7 +26,7 @@ using Row = ResidualTable::Row;
 /// single cell shows them, what it counts, with its sign, so that noise averages out. The table outlives it.
 class GapOfRows {
  public:
-  explicit GapOfRows(const ResidualTable& table) : table_(table), all_(table.sumBeyondErrors()) {
+  explicit GapOfRows(const ResidualTable& table) : table_(table), all_(table.sumBeyondErrors()), data_(table.weight()) {
     for (const Row& row : table.rows) weight_ += row.weight;
     if (all_ > 0.0) return;
     count_sign_ = table.sign();
@@ -38,11 +38,13 @@ class GapOfRows {
   }
   [[nodiscard]] double all() const { return all_; }
   [[nodiscard]] double weight() const { return weight_; }  ///< of all rows
+  [[nodiscard]] double data() const { return data_; }      ///< detections, or shots
 
  private:
   const ResidualTable& table_;
   double count_sign_ = 0.0;
   double all_;
+  double data_;
   double weight_ = 0.0;
 };
 
@@ -228,7 +230,7 @@ WhereRow rowOf(const GapOfRows& gaps, const Covariate& covariate, const Stratum&
   row.value = weight > 0.0 ? joint.value / weight : 0.0;
   row.unit = table.unit;
   row.share = std::clamp(joint.gap / gaps.all(), 0.0, 1.0);
-  row.size = weight / table.weight();
+  row.size = weight / gaps.data();
   const double beyond_noise = std::max(0.0, std::abs(joint.value) - joint.noise);
   row.p_value = 2.0 * upperTail(beyond_noise / std::sqrt(std::max(1e-300, joint.variance)));
   row.score = stratum.lift * readability(covariate.name);

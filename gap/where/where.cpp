@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <utility>
 
 #include "gap/distance/settle.h"
@@ -43,27 +41,20 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
   return shots > 0.0 ? std::max(0.0, more / shots) : 0.0;
 }
 
-/// The residuals of a table in standard errors, by place; a place where echoes moved has two.
-class ByPlace {
- public:
-  explicit ByPlace(const ResidualTable& table) {
-    for (const ResidualTable::Row& row : table.rows) residuals_[{row.sample, row.cell}].push_back(deviationOf(row));
-  }
-  /// The next one of the place of a row; 0 if there are no more.
-  double next(const ResidualTable::Row& row) {
-    std::deque<double>& left = residuals_[{row.sample, row.cell}];
-    if (left.empty()) return 0.0;
-    const double first = left.front();
-    left.pop_front();
-    return first;
-  }
-  [[nodiscard]] static double deviationOf(const ResidualTable::Row& row) {
-    return row.error > 0.0 ? row.value / row.error : 0.0;
-  }
+using Row = ResidualTable::Row;
 
- private:
-  std::map<std::pair<std::size_t, std::size_t>, std::deque<double>> residuals_;
-};
+/// In standard errors.
+double deviationOf(const Row& row) { return row.error > 0.0 ? row.value / row.error : 0.0; }
+
+std::pair<std::size_t, std::size_t> placeOf(const Row* row) { return {row->sample, row->cell}; }
+
+/// The rows of a table by place; a place where echoes moved has two.
+std::vector<const Row*> byPlace(const ResidualTable& table) {
+  std::vector<const Row*> rows;
+  for (const Row& row : table.rows) rows.push_back(&row);
+  std::stable_sort(rows.begin(), rows.end(), [](const Row* a, const Row* b) { return placeOf(a) < placeOf(b); });
+  return rows;
+}
 
 /// How far a cause changes a table, which was simulated twice: the product of both residuals in standard errors, z²,
 /// each for the echoes of a shot that it concerns and by the loss of Cauchy's distribution, log(1 + z²/2), which hardly
@@ -72,20 +63,23 @@ class ByPlace {
 /// its products have any sign and add up to nothing. Echoes come and go by chance where a cause is rare, so of
 /// existence one simulation tells; only the sign that the component has counts, for what may be noise stands in both.
 double changeIn(const ResidualTable& table, const ResidualTable& once_more, const std::vector<int>& frames) {
-  ByPlace others(once_more);
+  const std::vector<const Row*> others = byPlace(once_more);
+  auto other = others.begin();
   double sum = 0.0;
-  for (const ResidualTable::Row& row : table.rows) {
-    const double deviation = ByPlace::deviationOf(row);
-    const double product = deviation * (table.sign() == 0.0 ? others.next(row) : deviation);
-    if (table.sign() * row.value >= 0.0)
-      sum += row.weight / frames[row.sample] * std::copysign(std::log1p(0.5 * std::abs(product)), product);
+  for (const Row* row : byPlace(table)) {
+    while (other != others.end() && placeOf(*other) < placeOf(row)) ++other;
+    const bool again = other != others.end() && placeOf(*other) == placeOf(row);
+    const double second = again ? deviationOf(**other++) : 0.0;
+    const double first = deviationOf(*row), product = first * (table.sign() == 0.0 ? second : first);
+    if (table.sign() * row->value >= 0.0)
+      sum += row->weight / frames[row->sample] * std::copysign(std::log1p(0.5 * std::abs(product)), product);
   }
   return sum;
 }
 
 /// Of two worlds under the same noise: all that differs is a residual, but for what its component does not count.
 ResidualTable withoutNoise(ResidualTable change) {
-  for (ResidualTable::Row& row : change.rows) {
+  for (Row& row : change.rows) {
     row.error = 0.0;
     if (change.sign() * row.value < 0.0) row.value = 0.0;
   }
