@@ -1,50 +1,77 @@
 #include "gap/next_experiment.h"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "gap/distance/discrepancy.h"
 #include "gap/report/wording.h"
+#include "gap/which/confusion.h"
+#include "gap/which/partners.h"
 #include "gap/which/rivals.h"
 
 namespace gap {
 
 namespace {
 
-/// A candidate, and the cause in it that is asked for.
+/// A cause, alone or with the one that is named beside it.
 struct Asked {
   std::string cause;
-  const Candidate* candidate;
+  Candidate candidate;
 };
 
-/// The first of the single causes that is none of these.
-std::optional<Asked> firstBut(const std::vector<Candidate>& singles, const std::vector<std::string>& names) {
+const Candidate* named(const std::vector<Candidate>& singles, const std::string& name) {
+  const auto found = std::find_if(singles.begin(), singles.end(),
+                                  [&](const Candidate& candidate) { return candidate.hypothesis.name == name; });
+  return found == singles.end() ? nullptr : &*found;
+}
+
+/// The best of the single causes that is none of these.
+const Candidate* bestBut(const std::vector<Candidate>& singles, const std::vector<std::string>& names) {
   const auto other = std::find_if(singles.begin(), singles.end(), [&](const Candidate& candidate) {
     return std::find(names.begin(), names.end(), candidate.hypothesis.name) == names.end();
   });
-  return other == singles.end() ? std::nullopt : std::optional(Asked{other->hypothesis.name, &*other});
+  return other == singles.end() ? nullptr : &*other;
+}
+
+/// Those that come near to what is named, the nearest first.
+std::vector<Rival> nearestFirst(std::vector<Rival> rivals) {
+  std::stable_sort(rivals.begin(), rivals.end(),
+                   [](const Rival& a, const Rival& b) { return a.separation < b.separation; });
+  return rivals;
 }
 
 /// Two that should be told apart.
 using Rivals = std::pair<Asked, Asked>;
 
 std::optional<Rivals> rivalsOfPair(const Decision& decision) {
+  const Candidate& winner = *decision.winner;
+  std::optional<Rivals> first;
   for (const Candidate& pair : decision.pairs) {
-    const std::optional<Rival> other = exchangedIn(pair, *decision.winner);
-    if (other) return Rivals{{other->instead_of, &*decision.winner}, {other->name, &pair}};
+    const std::optional<Rival> other = exchangedIn(pair, winner);
+    if (!other) continue;
+    const Rivals rivals{{other->instead_of, winner}, {other->name, pair}};
+    if (!first) first = rivals;
+    for (const Rival& nearest : nearestFirst(decision.rivals))
+      if (nearest.name == other->name && nearest.instead_of == other->instead_of) return rivals;
   }
-  std::vector<std::string> members;
-  for (const Hypothesis& member : decision.winner->hypothesis.members) members.push_back(member.name);
-  const std::optional<Asked> other = firstBut(decision.singles, members);
-  return other ? std::optional(Rivals{{decision.names().front(), &*decision.winner}, *other}) : std::nullopt;
+  if (first) return first;
+  const std::vector<Candidate> members = membersOf(winner);
+  const Candidate* const other = bestBut(decision.singles, {members[0].hypothesis.name, members[1].hypothesis.name});
+  if (!other) return std::nullopt;
+  return Rivals{{members[0].hypothesis.name, winner}, {other->hypothesis.name, pairOf(*other, members[1])}};
 }
 
-std::optional<Rivals> rivalsIn(const Decision& decision) {
-  if (decision.pair()) return rivalsOfPair(decision);
-  const std::optional<Asked> first =
-      decision.winner ? Asked{decision.winner->hypothesis.name, &*decision.winner} : firstBut(decision.singles, {});
-  const std::optional<Asked> second = first ? firstBut(decision.singles, {first->cause}) : std::nullopt;
-  return second ? std::optional(Rivals{*first, *second}) : std::nullopt;
+std::optional<Rivals> rivalsOfSingle(const Decision& decision) {
+  const Candidate& winner = *decision.winner;
+  const Candidate* other = nullptr;
+  for (const Rival& nearest : nearestFirst(decision.rivals))
+    if (!other) other = named(decision.singles, nearest.name);
+  if (!other) other = bestBut(decision.singles, {winner.hypothesis.name});
+  if (!other) return std::nullopt;
+  return Rivals{{winner.hypothesis.name, winner}, {other->hypothesis.name, *other}};
 }
 
 std::size_t sampleOfLargestDifference(const Replay& replay, const World& a, const World& b, std::uint64_t seed) {
@@ -69,10 +96,11 @@ std::size_t sampleOfLargestDifference(const Replay& replay, const World& a, cons
 std::optional<NextExperiment> nextExperiment(const Judge& judge, const Decision& decision) {
   const Replay& replay = judge.replay;
   const std::uint64_t seed = judge.split.fitted.seed;
-  const std::optional<Rivals> rivals = rivalsIn(decision);
+  if (!decision.winner) return std::nullopt;
+  const std::optional<Rivals> rivals = decision.pair() ? rivalsOfPair(decision) : rivalsOfSingle(decision);
   if (!rivals) return std::nullopt;
   const auto worldOfAsked = [&](const Asked& asked) {
-    return worldOf(replay, asked.candidate->hypothesis, asked.candidate->values);
+    return worldOf(replay, asked.candidate.hypothesis, asked.candidate.values);
   };
   const World a = worldOfAsked(rivals->first), b = worldOfAsked(rivals->second);
   const std::size_t best = sampleOfLargestDifference(replay, a, b, seed);

@@ -173,6 +173,7 @@ void readVerdict(JsonObject json, GapReport& report) {
                     .names = json.texts("names"),
                     .confidence = json.numberOr("confidence", 0.0),
                     .indistinguishable_from = json.texts("indistinguishable_from"),
+                    .beside = json.texts("beside"),
                     .limits = json.texts("limits"),
                     .text = json.textOr("text", "")};
 }

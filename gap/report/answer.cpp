@@ -51,7 +51,7 @@ std::string upperFirst(std::string text) {
 std::string strengthText(const Diagnosis& diagnosis) {
   std::vector<std::string> all;
   for (const Cause& cause : diagnosis.causes) {
-    if (!isNamed(diagnosis, cause)) continue;
+    if (!isNamed(diagnosis, cause) && !isBeside(diagnosis, cause)) continue;
     std::vector<std::string> numbers;
     for (const FittedParameter& p : cause.parameters) {
       const std::string unit = unitOf(p);
@@ -59,7 +59,8 @@ std::string strengthText(const Diagnosis& diagnosis) {
       numbers.push_back(fittedText(cause, p) + recorded);
     }
     if (!cause.setups.empty()) numbers.push_back("true minus recorded, by set-up: " + setupText(cause));
-    const std::string title = diagnosis.verdict.names.size() > 1 ? causeTitle(diagnosis, cause.name) + ": " : "";
+    const bool several = diagnosis.verdict.names.size() + diagnosis.verdict.beside.size() > 1;
+    const std::string title = several ? causeTitle(diagnosis, cause.name) + ": " : "";
     if (!numbers.empty()) all.push_back(title + core::join(numbers, "; "));
   }
   for (std::string& sentence : all) sentence = upperFirst(std::move(sentence));

@@ -77,10 +77,11 @@ void addChart(report::Page& page, const Diagnosis& diagnosis) {
   page.figure(report::barFigure(bars),
               diagnosis.verdict.names.empty()
                   ? "Each cause alone. None of them is right: a right cause would leave hardly more than noise."
-              : togetherIn(diagnosis) ? "Dark: what the answer names and corrects, both together; light: each of the "
-                                        "others alone. What a right cause leaves is noise."
-                                      : "Dark: what the answer names; light: others, each alone. What a right cause "
-                                        "leaves is noise.");
+              : togetherIn(diagnosis)
+                  ? "Dark: what the answer names and corrects, both together; light: others. What a "
+                    "right cause leaves is noise."
+                  : "Dark: what the answer names; light: others, each alone. What a right cause "
+                    "leaves is noise.");
 }
 
 void addTable(report::Page& page, const Diagnosis& diagnosis) {
@@ -151,7 +152,7 @@ void addConfusion(report::Page& page, const Diagnosis& diagnosis) {
   if (diagnosis.verdict.names.empty()) return;
   std::size_t rival = 0;
   for (std::size_t j = 1; j < confusion.names.size(); ++j) {
-    if (isNamed(diagnosis, diagnosis.causes[j])) continue;
+    if (isNamed(diagnosis, diagnosis.causes[j]) || isBeside(diagnosis, diagnosis.causes[j])) continue;
     if (rival == 0 || confusion.alike[0][j] > confusion.alike[0][rival]) rival = j;
   }
   if (rival == 0) return;
@@ -176,8 +177,10 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
       "their noise, so it may say less.{}",
       diagnosis.background.hypotheses,
       diagnosis.causes.size() == 1 ? "is the only one that explains any of it" : "are the best",
-      togetherIn(diagnosis) ? " Those that are named or corrected together share their numbers; the others stand alone."
-                            : ""));
+      togetherIn(diagnosis)
+          ? " Of what is named or corrected together both are said of all of it; each of the others stands alone, or "
+            "beside the one of two whose partner it may replace."
+          : ""));
   addChart(page, diagnosis);
   addTable(page, diagnosis);
   addConfusion(page, diagnosis);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -44,9 +45,11 @@ void addPredictions(report::Page& page, const Diagnosis& diagnosis) {
   if (next.predictions.empty()) return;
   std::vector<std::vector<Html>> rows;
   for (const Prediction& p : next.predictions) {
+    const double largest = std::max({std::abs(p.values[0]), std::abs(p.values[1]), std::abs(p.values[2])});
+    const auto number = [&](double value) { return withUnitOf(largest, value, p.unit); };
     rows.push_back({report::text(measurandTitle(p.measurand)), report::text(percent(p.beams)),
-                    report::text(withUnit(p.values[0], p.unit)), report::text(withUnit(p.values[1], p.unit)),
-                    report::text(withUnit(p.values[2], p.unit)), report::text("± " + withUnit(p.noise, p.unit))});
+                    report::text(number(p.values[0])), report::text(number(p.values[1])),
+                    report::text(number(p.values[2])), report::text("± " + number(p.noise))});
   }
   page.table({{"measurand", Align::Left, true},
               {"beams that tell", Align::Right},
@@ -110,9 +113,9 @@ std::vector<report::Definition> words() {
           "into the proposed model. The others are listed for comparison."),
       word(
           "confidence", "word-confidence",
-          "How sure the answer is, between 0 and 100 %. The causes that explain the data share it, and causes that are "
-          "named together have one number, which is that of both; what is missing to 100 % is the belief that it is "
-          "none of them. It is lower where data are few."),
+          "How sure the answer is, between 0 and 100 %. The causes that explain the data share it, but of two that are "
+          "named together each has its own, and the answer that both are right; what is missing to 100 % is the belief "
+          "that it is none of them. It is lower where data are few."),
       word("95 % interval", "",
            "The range in which the true number lies in 95 of 100 cases. For fitted numbers it "
            "tells how much they change if any one set-up is left out."),
@@ -148,19 +151,16 @@ void addNext(report::Page& page, const Diagnosis& diagnosis) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)
     settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
-  const std::string where = settings.empty() ? "the sample " + next.sample : "with " + core::join(settings);
-  const std::string as = settings.empty() ? "" : " (as in the sample " + next.sample + ")";
-  const std::string two =
-      fmt::format("{} and {}", causeTitle(diagnosis, next.separates[0]), causeTitle(diagnosis, next.separates[1]));
-  page.paragraph(
-      next.predictions.empty()
-          ? fmt::format("No setting of this experiment separates {}: even where they differ most, {}{}, they "
-                        "differ by less than the noise of single beams. Measure under a condition that was "
-                        "not measured yet, or record that one for longer.",
-                        two, where, as)
-          : fmt::format("Measure {} again{}. Of all settings in this experiment it is the one at which {} "
-                        "differ most, compared to the noise.",
-                        where, as, two));
+  page.paragraph(fmt::format(
+      "Measure {} again{}. Of all settings in this experiment it is the one at which {} and {} differ most, compared "
+      "to "
+      "the noise.{}",
+      settings.empty() ? "the sample " + next.sample : "with " + core::join(settings),
+      settings.empty() ? "" : " (as in the sample " + next.sample + ")", causeTitle(diagnosis, next.separates[0]),
+      causeTitle(diagnosis, next.separates[1]),
+      next.predictions.empty() ? " No single beam on a surface shows it beyond its noise there: record for longer, or "
+                                 "under a condition that was not measured yet."
+                               : ""));
   addPredictions(page, diagnosis);
 }
 

@@ -10,8 +10,15 @@ namespace gap {
 
 namespace {
 
-std::string numberIn(const ReadableUnit& shown, double value, int digits) {
-  const std::string number = core::significant(shown.per_unit * value, digits);
+/// What would be said with an exponent beside a number a thousand times as large is 0.
+std::string significantBeside(double largest, double value, int digits = 3) {
+  constexpr double kWithExponent = 1e-4, kNothing = 1e-3;
+  const bool nothing = std::abs(value) < kWithExponent && std::abs(value) < kNothing * std::abs(largest);
+  return core::significant(nothing ? 0.0 : value, digits);
+}
+
+std::string numberIn(const ReadableUnit& shown, double largest, double value, int digits) {
+  const std::string number = significantBeside(shown.per_unit * largest, shown.per_unit * value, digits);
   if (shown.unit == "1/shot") return number + (number == "1" || number == "-1" ? " echo per shot" : " echoes per shot");
   return number + (shown.unit.empty() || shown.unit == "°" ? "" : " ") + shown.unit;
 }
@@ -37,13 +44,14 @@ std::string withUnit(double value, const std::string& unit, int digits) { return
 
 std::string withUnitOf(double largest, double value, const std::string& unit, int digits) {
   const double size = std::max(largest, std::abs(value));
-  const double nothing = 0.5 * std::pow(10.0, -digits - 1) * size;  // would be said with an exponent
-  return numberIn(readableUnit(size, unit), std::abs(value) < nothing ? 0.0 : value, digits);
+  return numberIn(readableUnit(size, unit), size, value, digits);
 }
 
 std::string intervalText(const Interval& interval, const std::string& unit, double largest) {
-  const ReadableUnit shown = readableUnit(std::max({std::abs(interval.low), std::abs(interval.high), largest}), unit);
-  return fmt::format("{} to {}", core::significant(shown.per_unit * interval.low), numberIn(shown, interval.high, 3));
+  const double size = std::max({std::abs(interval.low), std::abs(interval.high), largest});
+  const ReadableUnit shown = readableUnit(size, unit);
+  return fmt::format("{} to {}", significantBeside(shown.per_unit * size, shown.per_unit * interval.low),
+                     numberIn(shown, size, interval.high, 3));
 }
 
 std::string percent(double fraction) { return fmt::format("{:.0f} %", wholePercent(fraction)); }

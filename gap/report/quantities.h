@@ -6,8 +6,8 @@
 
 namespace gap {
 
-/// A unit in which numbers up to some size are read without an exponent: powers below a milliwatt in nW and above a
-/// tenth of it in mW, lengths below a millimetre in mm.
+/// A unit in which numbers up to some size are read without an exponent: those in W below a milliwatt in nW, those
+/// in nW above a tenth of a milliwatt in mW, lengths below a millimetre in mm.
 struct ReadableUnit {
   double per_unit;  ///< of the unit that it stands for
   std::string unit;

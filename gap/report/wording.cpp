@@ -300,7 +300,7 @@ namespace {
 /// What was fitted together with the effects that are named.
 std::string correctedToo(const Diagnosis& diagnosis) {
   const std::vector<std::string>& beside = diagnosis.verdict.beside;
-  return beside.empty() ? "" : fmt::format(" Besides, the {} has another value.", titlesOf(diagnosis, beside));
+  return beside.empty() ? "" : fmt::format(" Besides, the {} is wrong.", titlesOf(diagnosis, beside));
 }
 
 std::string plainAnswer(const Diagnosis& diagnosis) {
@@ -392,11 +392,10 @@ std::string nextExperimentSentence(const NextExperiment& next) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : next.parameters)
     settings.push_back(fmt::format("{} = {}", name, core::significant(value, 4)));
-  return fmt::format("{} with {}{}: there {} and {} differ most compared to the noise{}.",
-                     next.predictions.empty() ? "Record for longer" : "Repeat",
+  return fmt::format("Repeat with {}{}: there {} and {} differ most compared to the noise{}.",
                      settings.empty() ? "the setting of sample " + next.sample : core::join(settings),
                      settings.empty() ? "" : " (as in sample " + next.sample + ")", next.separates[0],
-                     next.separates[1], next.predictions.empty() ? ", but by less than that of single beams" : "");
+                     next.separates[1], next.predictions.empty() ? ", though no single beam shows it" : "");
 }
 
 }  // namespace gap

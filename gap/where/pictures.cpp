@@ -25,10 +25,12 @@ constexpr std::size_t kMostRows = 40;
 std::vector<std::size_t> worstSamples(const Replay& replay, const std::vector<const ResidualTable*>& tables) {
   std::vector<double> sums(replay.samples().size(), 0.0), weights(replay.samples().size(), 0.0);
   for (const ResidualTable* table : tables) {
+    std::vector<std::vector<const ResidualTable::Row*>> rows(sums.size());
     for (const ResidualTable::Row& row : table->rows) {
       sums[row.sample] += row.weight * std::max(0.0, std::abs(row.value) - 2.0 * row.error);
-      weights[row.sample] += row.weight;
+      rows[row.sample].push_back(&row);
     }
+    for (std::size_t s = 0; s < rows.size(); ++s) weights[s] += table->weightOf(rows[s]);
   }
   std::vector<std::size_t> samples(sums.size());
   std::iota(samples.begin(), samples.end(), std::size_t{0});

@@ -23,10 +23,11 @@ double ResidualTable::sumBeyondErrors() const {
 }
 
 double ResidualTable::weightOf(std::span<const Row* const> some) const {
+  const bool of_shots = sign() != 0.0;
   double weight = 0.0;
   std::vector<std::vector<bool>> counted;  // beams of every sample
   for (const Row* row : some) {
-    if (sign() != 0.0) {
+    if (of_shots) {
       if (counted.size() <= row->sample) counted.resize(row->sample + 1);
       std::vector<bool>& beams = counted[row->sample];
       if (beams.size() <= row->beam) beams.resize(row->beam + std::size_t{1});
@@ -80,23 +81,35 @@ namespace {
 
 /// What the steps q in which values are reported add to the standard error of the difference of two standard
 /// deviations, where the noise σ is less than about half a step. By the place in a step where a mean lies the same
-/// noise scatters by nothing or by half a step: the variance of normal values, rounded to q, is σ² + q²/12 - (q²/π² + 4
-/// σ²) w cos(2 π μ/q) with w = exp(-2 π² σ²/q²), and smaller terms (Widrow & Kollár 2008, Quantization Noise, ch. 4).
-/// Means that are the same lie at the same place; others may lie anywhere. And values at one of two steps, with the
-/// shares p and 1 - p, have the standard deviation q √(p (1 - p)), of which n values tell no more than q (1 - 2 p)/(2
-/// √n).
-double errorOfSteps(const CellStatistics& m, const CellStatistics& x, Channel channel, double step) {
+/// noise scatters by nothing or by half a step: the variance of normal values, rounded to q, is
+///
+///   σ² + q²/12 - (q²/π² + 4 σ²) w cos(2 π μ/q) - …   with w = exp(-2 π² σ²/q²)
+///
+/// (Widrow & Kollár 2008, Quantization Noise, ch. 4; below 0.3 q further terms are as large, and this one alone is an
+/// upper bound as far as simulated values tell). Means that are the same lie at the same place; others may lie
+/// anywhere.
+double errorOfPlace(double variance_of_noise, double means_apart, double step) {
   constexpr double kPi = std::numbers::pi;
-  const double of_steps = step * step / 12.0;
-  const double of_noise = std::max(0.0, 0.5 * (m.variance(channel) + x.variance(channel)) - of_steps);
-  const double w = std::exp(-2.0 * kPi * kPi * of_noise / (step * step));
-  const double wave = (step * step / (kPi * kPi) + 4.0 * of_noise) * w;
-  const double apart = std::min(0.25, std::abs(m.mean(channel) - x.mean(channel)) / step);
-  const double most = std::sqrt(of_noise + of_steps + wave),
-               least = std::sqrt(std::max(0.0, of_noise + of_steps - wave));
-  const double of_place = 0.5 * (most - least) * std::sqrt(1.0 - std::cos(2.0 * kPi * apart));
-  const double of_few = 0.5 * step * std::sqrt(w * (1.0 / m.count + 1.0 / x.count));
-  return std::hypot(of_place, of_few);
+  const double w = std::exp(-2.0 * kPi * kPi * variance_of_noise / (step * step));
+  const double wave = (step * step / (kPi * kPi) + 4.0 * variance_of_noise) * w;
+  const double middle = variance_of_noise + step * step / 12.0;
+  const double most = std::sqrt(middle + wave), least = std::sqrt(std::max(0.0, middle - wave));
+  const double apart = std::min(0.25, means_apart / step);
+  return 0.5 * (most - least) * std::sqrt(1.0 - std::cos(2.0 * kPi * apart));
+}
+
+/// Values at one of two steps, with the shares p and 1 - p, have the standard deviation q √(p (1 - p)), of which n
+/// values tell no more than q |1 - 2 p|/(2 √n); √w stands for |1 - 2 p|, which is near 1 where there is hardly any
+/// noise. `inverse_counts`: the sum of 1/n of both sides.
+double errorOfFew(double variance_of_noise, double inverse_counts, double step) {
+  const double root_w = std::exp(-std::numbers::pi * std::numbers::pi * variance_of_noise / (step * step));
+  return 0.5 * step * root_w * std::sqrt(inverse_counts);
+}
+
+double errorOfSteps(const CellStatistics& m, const CellStatistics& x, Channel channel, double step) {
+  const double of_noise = std::max(0.0, 0.5 * (m.variance(channel) + x.variance(channel)) - step * step / 12.0);
+  return std::hypot(errorOfPlace(of_noise, std::abs(m.mean(channel) - x.mean(channel)), step),
+                    errorOfFew(of_noise, 1.0 / m.count + 1.0 / x.count, step));
 }
 
 void addValues(const Replay& replay, const Sides& sides, Channel channel, std::vector<ResidualTable>& tables) {
@@ -140,8 +153,7 @@ void addExistence(const Replay& replay, const Sides& sides, std::vector<Residual
       // What may be noise stays in both with its sign, so that it averages out: a half of it would look like a loss.
       const bool noise = std::abs(value) < kBeyondNoise * error;
       const std::uint32_t beam = sample.layout->cells()[c].beam;
-      if (expected > 0.0)
-        missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, of_measured, beam});
+      missing.rows.push_back({s, c, noise ? value : std::min(0.0, value), error, of_measured, beam});
       extra.rows.push_back({s, c, noise ? value : std::max(0.0, value), error, of_measured, beam});
     }
   }

@@ -63,7 +63,7 @@ struct Sides {
   std::vector<int> simulated_frames;
 };
 
-/// Residuals of every channel (bias and scatter) and of existence. Echoes are missing where the simulation has some.
+/// Residuals of every channel (bias and scatter) and of existence.
 [[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides);
 
 /// The measurand of the experiment that a channel carries.

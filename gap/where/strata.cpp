@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kQuantileGroups = 16;
 constexpr std::size_t kFewGroups = 2;    // a run of so few is cut once more
 constexpr double kSmallestExcess = 0.1;  // of the resolution: less is not worth a row
-constexpr double kEverything = 0.999;    // of the data
 constexpr double kSomewhere = 0.05;      // lift: what a cause changes less unevenly it changes everywhere alike
 
 using Row = ResidualTable::Row;
@@ -263,13 +262,14 @@ Ranked rankedRows(const ResidualTable& table, const TableChange* change, const s
     if (!stratum || stratum->lift < kSomewhere) stratum = stratumOf(gaps, covariate);
     if (!stratum) continue;
     WhereRow row = rowOf(gaps, covariate, *stratum);
-    // A cause may act where one of both sides has nothing to compare; and of places that all shots have, as the void
-    // behind the last surface, none is a part of the data.
-    if (row.size <= 0.0 || row.size >= kEverything) continue;
+    if (row.size <= 0.0) continue;  // a cause may act where one of both sides has nothing to compare
     row.p_value = std::min(1.0, row.p_value * static_cast<double>(stratum->tried * covariates.size() * tables));
     if (!row.mayBeChance()) ranked.gap = size;
     ranked.rows.push_back(std::move(row));
   }
+  // Of places that all shots have, as the void behind the last surface, none is a part of the shots.
+  const auto isNoPart = [&](const WhereRow& row) { return table.sign() != 0.0 && row.share <= row.size; };
+  if (!std::all_of(ranked.rows.begin(), ranked.rows.end(), isNoPart)) std::erase_if(ranked.rows, isNoPart);
   std::stable_sort(ranked.rows.begin(), ranked.rows.end(), [](const WhereRow& a, const WhereRow& b) {
     return a.mayBeChance() != b.mayBeChance() ? b.mayBeChance() : a.score > b.score;
   });

@@ -43,12 +43,9 @@ double falseEchoesPerShot(const Replay& replay, const CellsOfSamples& expected, 
 
 using Row = ResidualTable::Row;
 
-/// In standard errors.
-double deviationOf(const Row& row) { return row.error > 0.0 ? row.value / row.error : 0.0; }
-
 std::pair<std::size_t, std::size_t> placeOf(const Row* row) { return {row->sample, row->cell}; }
 
-/// The rows of a table by place; a place where echoes moved has two.
+/// The rows of a table by place; a place where echoes moved may have two.
 std::vector<const Row*> byPlace(const ResidualTable& table) {
   std::vector<const Row*> rows;
   for (const Row& row : table.rows) rows.push_back(&row);
@@ -56,33 +53,72 @@ std::vector<const Row*> byPlace(const ResidualTable& table) {
   return rows;
 }
 
-/// How far a cause changes a table, which was simulated twice: the product of both residuals in standard errors, z²,
-/// each for the echoes of a shot that it concerns and by the loss of Cauchy's distribution, log(1 + z²/2), which hardly
-/// grows with what is far out already. So a step or two in every beam is more than metres in a few, where two echoes
-/// are one or two by a hair; and where the cause makes the noise another one (air that sends light back has its own),
-/// its products have any sign and add up to nothing. Echoes come and go by chance where a cause is rare, so of
-/// existence one simulation tells; only the sign that the component has counts, for what may be noise stands in both.
-double changeIn(const ResidualTable& table, const ResidualTable& once_more, const std::vector<int>& frames) {
+/// What a cause changes in one place, in two simulations; a second that does not show it is nothing.
+struct Twice {
+  const Row* first;
+  Row second{};
+
+  /// The product of both in standard errors, z² under the same noise.
+  [[nodiscard]] double product() const {
+    if (first->error <= 0.0 || second.error <= 0.0) return 0.0;
+    return first->value / first->error * (second.value / second.error);
+  }
+  /// What both show.
+  [[nodiscard]] double common() const {
+    if (first->value * second.value <= 0.0) return 0.0;
+    return std::copysign(std::min(std::abs(first->value), std::abs(second.value)), first->value);
+  }
+};
+
+std::vector<Twice> pairedByPlace(const ResidualTable& table, const ResidualTable& once_more) {
   const std::vector<const Row*> others = byPlace(once_more);
   auto other = others.begin();
-  double sum = 0.0;
+  std::vector<Twice> paired;
   for (const Row* row : byPlace(table)) {
     while (other != others.end() && placeOf(*other) < placeOf(row)) ++other;
-    const bool again = other != others.end() && placeOf(*other) == placeOf(row);
-    const double second = again ? deviationOf(**other++) : 0.0;
-    const double first = deviationOf(*row), product = first * (table.sign() == 0.0 ? second : first);
-    if (table.sign() * row->value >= 0.0)
-      sum += row->weight / frames[row->sample] * std::copysign(std::log1p(0.5 * std::abs(product)), product);
+    paired.push_back({row});
+    if (other != others.end() && placeOf(*other) == placeOf(row)) paired.back().second = **other++;
   }
-  return sum;
+  return paired;
 }
 
-/// Of two worlds under the same noise: all that differs is a residual, but for what its component does not count.
-ResidualTable withoutNoise(ResidualTable change) {
-  for (Row& row : change.rows) {
+/// The loss of Cauchy's distribution, log(1 + z²/2), with the sign of what stands for z².
+double robust(double product) { return std::copysign(std::log1p(0.5 * std::abs(product)), product); }
+
+/// What a cause changes of values, and how far: z² of both simulations, each for the echoes of a shot that it concerns
+/// and by a loss that hardly grows with what is far out already. So a step or two in every beam is more than metres in
+/// a few, where two echoes are one or two by a hair; and where the cause makes the noise another one (air that sends
+/// light back has its own), products have any sign and add up to hardly anything: less than two standard errors is no
+/// change.
+TableChange changeOfValues(const ResidualTable& table, const ResidualTable& once_more, const std::vector<int>& frames) {
+  constexpr std::size_t kFewPlaces = 4;  // less is known of fewer: a false target may change one
+  TableChange change{{table.measurand, table.component, table.unit, table.scale, {}}, 0.0};
+  double squares = 0.0;
+  std::size_t places = 0;
+  for (const Twice& twice : pairedByPlace(table, once_more)) {
+    const double term = twice.first->weight / frames[twice.first->sample] * robust(twice.product());
+    change.size += term;
+    squares += term * term;
+    places += term != 0.0 ? 1 : 0;
+    Row row = *twice.first;
+    row.value = twice.common();
     row.error = 0.0;
-    if (change.sign() * row.value < 0.0) row.value = 0.0;
+    change.table.rows.push_back(row);
   }
+  if (places > kFewPlaces && change.size < 2.0 * std::sqrt(squares)) change.size = 0.0;
+  return change;
+}
+
+/// The same of echoes. They come and go by chance where a cause is rare, so one simulation tells; only the sign that
+/// the component has counts, for what may be noise stands in both.
+TableChange changeOfEchoes(ResidualTable table, const std::vector<int>& frames) {
+  TableChange change{{}, 0.0};
+  for (Row& row : table.rows) {
+    if (table.sign() * row.value < 0.0) row.value = 0.0;
+    if (row.error > 0.0) change.size += row.weight / frames[row.sample] * robust(std::pow(row.value / row.error, 2.0));
+    row.error = 0.0;
+  }
+  change.table = std::move(table);
   return change;
 }
 
@@ -131,17 +167,16 @@ std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& witho
   const auto differences = [&](const CellsOfSamples& cause, const CellsOfSamples& none) {
     return withMovedEchoes(replay, residualTables(replay, {cause, with.frames, none, without.frames}), cause, none);
   };
-  std::vector<ResidualTable> tables = differences(with.expected, without.expected);
   const std::vector<ResidualTable> once_more = differences(with.once_more, without.once_more);
   std::vector<TableChange> changes;
   double most = 0.0;
-  for (ResidualTable& table : tables) {
+  for (ResidualTable& table : differences(with.expected, without.expected)) {
     const auto other = std::find_if(once_more.begin(), once_more.end(),
                                     [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
     if (other == once_more.end()) continue;
-    const double change = changeIn(table, *other, with.frames);
-    most = std::max(most, change);
-    changes.push_back({withoutNoise(std::move(table)), change});
+    changes.push_back(table.sign() == 0.0 ? changeOfValues(table, *other, with.frames)
+                                          : changeOfEchoes(std::move(table), with.frames));
+    most = std::max(most, changes.back().size);
   }
   std::erase_if(changes,
                 [&](const TableChange& change) { return change.size < kChanges * most || change.size <= 0.0; });

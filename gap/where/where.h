@@ -18,7 +18,7 @@ struct WhereResult {
   std::vector<ResidualTable> tables;
   std::vector<ResidualTable> by_beam;   ///< the same with moved echoes as residuals (moved_echoes.h); the rows' tables
   CellsOfSamples expected;              ///< by the world, under other noise,
-  CellsOfSamples once_more;             ///< and under yet another,
+  CellsOfSamples once_more;             ///< and under the noise of `tables`, before the reference was settled,
   std::vector<int> frames;              ///< in so many frames of every sample
   std::vector<Sector> sectors;          ///< that explain the residuals best (sectors.h)
   Gate gate;                            ///< that explains what is missing best (gate.h)

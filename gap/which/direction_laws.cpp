@@ -25,8 +25,8 @@ struct Taken {
   }
 };
 
-/// Standard error of the difference of two sums of z² (χ² distributions of as many degrees of freedom). Means are
-/// compared under the same noise; how values scatter about other means is not.
+/// A bound of what chance makes of the difference of two sums of z²: its standard error if both were noise alone, and
+/// not the same, Var χ²(n) = 2n. Means are compared under the same noise; how values scatter about other means is not.
 double byChance(const Residuals& a, const Residuals& b) {
   return std::sqrt(2.0 * static_cast<double>(a.rows.size() + b.rows.size()));
 }

@@ -1,7 +1,9 @@
 #include "gap/next_experiment.h"
 
 #include <gtest/gtest.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "gap/which/partners.h"
 #include "tests/gap/hypothesis_named.h"
@@ -42,10 +44,18 @@ TEST_F(NextExperiment, SeparatesWhatIsNamedFromTheBestOfTheOthers) {
   EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "clock-drift"}));
 }
 
-TEST_F(NextExperiment, SeparatesTheBestTwoWhereNoneIsNamed) {
+TEST_F(NextExperiment, SeparatesWhatIsNamedFromWhatTheDataCannotTellFromIt) {
   gap::Decision decision;
-  decision.singles = {drift_, drift_, dirt_, offset_};
-  EXPECT_EQ(separatedBy(decision), (Names{"clock-drift", "cover-contamination"}));
+  decision.singles = {offset_, drift_, loss_, dirt_};
+  decision.name(offset_);
+  decision.rivals = {{.name = "clock-drift", .separation = 2.0}, {.name = "detection-loss", .separation = 0.1}};
+  EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "detection-loss"}));
+}
+
+TEST_F(NextExperiment, IsNoneWhereNoneIsNamed) {
+  gap::Decision decision;
+  decision.singles = {drift_, dirt_, offset_};
+  EXPECT_TRUE(separatedBy(decision).empty());
 }
 
 // The clock is the rival of the offset, though a loss of echoes comes nearer than either of the causes alone.
@@ -57,10 +67,19 @@ TEST_F(NextExperiment, OfTwoCausesSeparatesOneFromWhatMayStandInItsPlace) {
   EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "clock-drift"}));
 }
 
+TEST_F(NextExperiment, OfTwoCausesWithoutRivalsKeepsTheOtherOne) {
+  gap::Decision decision;
+  decision.singles = {offset_, dirt_, loss_};
+  decision.pairs = {gap::pairOf(offset_, dirt_)};
+  decision.name(decision.pairs.front());
+  EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "detection-loss"}));
+}
+
 // An offset of 0.4 m; a clock that is 0.5 % fast makes 0.04 m of it at the nearest wall, and 0.33 m at the farthest.
 TEST_F(NextExperiment, IsTheSampleInWhichTheTwoDifferMost) {
   gap::Decision decision;
   decision.singles = {offset_, drift_};
+  decision.name(offset_);
   const auto next = gap::nextExperiment(judge_, decision);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->sample, "r8");
