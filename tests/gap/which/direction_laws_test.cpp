@@ -89,6 +89,32 @@ TEST_F(Directions, OfTheLayersAreNotAsked) {
   EXPECT_TRUE(lawsIn(uneven, "range-offset", {0.0}).empty());
 }
 
+// A cloud of five numbers that leaves nothing of the widths, where a line of two does as much. That ranges scatter
+// otherwise in a few beams with the cloud is no more than chance makes of sums over hundreds; in all beams it would be
+// the cloud's doing.
+TEST_F(Directions, ReckonWithChanceInHowValuesScatter) {
+  const auto experiment = withAGainOverAzimuth();
+  const gap::Replay replay(experiment, model_);
+  const gap::Split split = gap::splitOf(replay, 1);
+  const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
+  const gap::Candidate cloud{hypothesisNamed(gap::hypothesesFor(replay, {}), "exhaust-cloud", "of another albedo"),
+                             {0.1, 2.0, 0.5, 5.0, 0.0}};
+  for (const std::size_t every : {100U, 1U}) {
+    gap::WhereResult before = gap::whereIn(replay, replay.baseline(), 1);
+    const auto valuesOf = [](gap::WhereResult& where, const char* measurand, const char* component, auto value) {
+      for (gap::ResidualTable& table : where.tables)
+        if (table.isOf(measurand, component))
+          for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].value = value(i, table.rows[i].error);
+    };
+    gap::WhereResult after = before;
+    valuesOf(after, "epw", "bias", [](std::size_t, double) { return 0.0; });
+    valuesOf(before, "range", "scatter",
+             [&](std::size_t i, double error) { return i % every == 0 ? 3.0 * error : error; });
+    valuesOf(after, "range", "scatter", [](std::size_t, double error) { return error; });
+    EXPECT_EQ(gap::directionLawsIn(judge, cloud, before, after).empty(), every == 1) << "one of " << every << " beams";
+  }
+}
+
 TEST_F(Directions, ThatChangeAGainEvenlyAreNoCauseOfTheLibrary) {
   core::SilentProgress progress;
   const gap::Diagnosis diagnosis = gap::diagnose(withAGainOverAzimuth(), model_, {}, progress);
