@@ -122,8 +122,8 @@ struct Best {
 
 /// The run of groups whose share of the gap exceeds its share of the data most; of names only such that deviate the
 /// same way, for what one is too long and another too short has no size. Its mean residual has the sign of the table,
-/// if that has one.
-Best bestRun(const std::vector<Group>& groups, const GapOfRows& gaps, bool prefixes_only) {
+/// if that has one. `weight`: of all data that might be in it.
+Best bestRun(const std::vector<Group>& groups, const GapOfRows& gaps, double weight, bool prefixes_only) {
   const double sign = gaps.table().sign();
   Best best;
   for (std::size_t first = 0; first < (prefixes_only ? 1 : groups.size()); ++first) {
@@ -135,7 +135,7 @@ Best bestRun(const std::vector<Group>& groups, const GapOfRows& gaps, bool prefi
       joint.high = groups[last].high;
       if (last - first + 1 == groups.size()) break;  // everything is no stratum
       ++best.tried;
-      const double lift = joint.gap / gaps.all() - joint.weight / gaps.weight();
+      const double lift = joint.gap / gaps.all() - joint.weight / weight;
       if (sign * joint.value >= 0.0 && lift > best.lift + 1e-12) {
         const std::size_t tried = best.tried;
         best = {joint, first, last, lift, tried};
@@ -147,7 +147,7 @@ Best bestRun(const std::vector<Group>& groups, const GapOfRows& gaps, bool prefi
 
 /// What a run of a few groups holds may lie in a part of them, as a false target in two beams does: the run is cut once
 /// more, as all data were.
-Best narrowed(Best best, const Covariate& covariate, const GapOfRows& gaps) {
+Best narrowed(Best best, const Covariate& covariate, const GapOfRows& gaps, double weight) {
   std::vector<Row> inside;
   for (const Row& row : gaps.table().rows) {
     const double x = covariate.number(row);
@@ -155,7 +155,7 @@ Best narrowed(Best best, const Covariate& covariate, const GapOfRows& gaps) {
   }
   const std::vector<Group> groups = numericGroups(inside, covariate, gaps);
   if (groups.size() < 2) return best;
-  Best part = bestRun(groups, gaps, false);
+  Best part = bestRun(groups, gaps, weight, false);
   const std::size_t tried = best.tried + part.tried;
   if (part.lift > best.lift) best = std::move(part);
   best.tried = tried;
@@ -182,9 +182,14 @@ std::optional<Stratum> stratumOf(const GapOfRows& gaps, const Covariate& covaria
   const std::vector<Row>& rows = gaps.table().rows;
   const auto groups = covariate.numeric ? numericGroups(rows, covariate, gaps) : namedGroups(rows, covariate, gaps);
   if (groups.size() < 2) return std::nullopt;
-  Best best = bestRun(groups, gaps, !covariate.numeric);
+  // Where nothing is there is no range, and no shot more: every beam has its place behind the last surface.
+  double weight = 0.0;
+  for (const Group& group : groups) weight += group.weight;
+  if (gaps.table().sign() == 0.0) weight = gaps.weight();
+  Best best = bestRun(groups, gaps, weight, !covariate.numeric);
   if (best.lift <= 0.0) return std::nullopt;
-  if (covariate.numeric && best.last - best.first < kFewGroups) best = narrowed(std::move(best), covariate, gaps);
+  if (covariate.numeric && best.last - best.first < kFewGroups)
+    best = narrowed(std::move(best), covariate, gaps, weight);
   Stratum stratum{best.joint.low, best.joint.high, {}, best.lift, best.tried};
   if (!covariate.numeric) {
     for (std::size_t g = best.first; g <= best.last; ++g) stratum.names.push_back(groups[g].name);
