@@ -157,6 +157,7 @@ void readAfter(JsonObject& json, GapReport& report) {
 void readShrink(JsonObject json, GapReport& report) {
   report.shrink = shrinkOf(json);
   report.held_out = json.texts("held_out_samples");
+  report.half_of_the_beams_fitted = json.flagOr("half_of_the_beams_fitted", false);
   if (json.has("before_total") && json.has("after_total")) {
     report.totals = {json.number("before_total"), json.number("after_total")};
   }

@@ -45,6 +45,7 @@ struct GapReport {
   std::optional<gap::Shrink> shrink;
   std::optional<std::pair<double, double>> totals;  ///< before, after
   std::vector<std::string> held_out;
+  bool half_of_the_beams_fitted = false;   ///< of the held-out samples, too: the other half judged
   std::vector<gap::SampleTotals> samples;  ///< the held-out ones; empty if the report does not list them
   std::optional<gap::Rest> rest;           ///< what the verdict leaves unexplained
   std::vector<gap::TwiceJudgedTest> flips;

@@ -88,6 +88,7 @@ Json shrinkJson(const Diagnosis& diagnosis) {
   return {{"fraction", diagnosis.shrink.fraction},
           {"interval", toJson(diagnosis.shrink.interval)},
           {"held_out_samples", diagnosis.held_out},
+          {"half_of_the_beams_fitted", diagnosis.weak_hold_out},
           {"before_total", diagnosis.before.total},
           {"after_total", diagnosis.after->total},
           {"measurands", measurands},

@@ -112,6 +112,16 @@ TEST_F(DesktopDiagnosis, ACauseSaysItsFormItsSensorsAndHowSureItIs) {
   EXPECT_TRUE(shownText().contains("62.5 %")) << shownText().toStdString();
 }
 
+TEST_F(DesktopDiagnosis, WhereHalfOfTheBeamsJudgedNoSampleIsSaidToBeUnseen) {
+  ASSERT_TRUE(page().openReport(demo_.report()));
+  EXPECT_TRUE(shownText().contains("on samples that no fit has seen"));
+  nlohmann::json shrink = core::readJson(demo_.report()).at("shrink");
+  shrink["half_of_the_beams_fitted"] = true;
+  ASSERT_TRUE(page().openReport(reportWith({{"shrink", shrink}})));
+  EXPECT_FALSE(shownText().contains("no fit has seen"));
+  EXPECT_TRUE(shownText().contains("of which the fit saw one half of the beams")) << shownText().toStdString();
+}
+
 nlohmann::json rest(double left) {
   const nlohmann::json term = {{"covariate", "range_m"}, {"function", "1/x"}, {"coefficient", 2.0}};
   const nlohmann::json law = {{"measurand", "epw"}, {"component", "bias"}, {"unit", "m"},

@@ -47,6 +47,16 @@ TEST(GapReport, TotalsOfSamplesAndWeightsOfMeasurandsAddUp) {
   EXPECT_NEAR(1.0 - after / before, report.shrink->fraction, 1e-9);
 }
 
+TEST(GapReport, KnowsWhatIsBesideTheCauseAndWhetherHalfOfTheBeamsJudged) {
+  gap::Diagnosis diagnosis = DemoProject::diagnosis();
+  EXPECT_FALSE(parseGapReport(gap::reportJson(diagnosis), "a.json").half_of_the_beams_fitted);
+  diagnosis.weak_hold_out = true;
+  diagnosis.verdict.beside = {"/sensor/emitter/peak_power_w"};
+  const GapReport report = parseGapReport(gap::reportJson(diagnosis), "b.json");
+  EXPECT_TRUE(report.half_of_the_beams_fitted);
+  EXPECT_EQ(report.verdict.beside, diagnosis.verdict.beside);
+}
+
 TEST(GapReport, TheTimeItTookIsNoEvidence) {
   const DemoProject project;
   nlohmann::json json = gap::reportJson(DemoProject::diagnosis());

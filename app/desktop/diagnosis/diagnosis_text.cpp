@@ -209,8 +209,11 @@ QString howFarPart(const GapReport& report, const QPalette& palette) {
   QString page =
       title(report.shrink ? QObject::tr("How far does the gap shrink?") : QObject::tr("How large is the gap?"));
   if (report.shrink) {
-    QString text = QObject::tr("By <b>%1</b>%2 on samples that no fit has seen")
-                       .arg(percent(report.shrink->fraction), interval(*report.shrink));
+    const QString where = report.half_of_the_beams_fitted
+                              ? QObject::tr("on samples of which the fit saw one half of the beams")
+                              : QObject::tr("on samples that no fit has seen");
+    QString text =
+        QObject::tr("By <b>%1</b>%2 %3").arg(percent(report.shrink->fraction), interval(*report.shrink), where);
     if (!report.held_out.empty()) text += " (" + html::text(core::join(report.held_out)) + ")";
     if (report.totals) {
       text +=
