@@ -67,6 +67,13 @@ struct Verdict {
   Contradiction contradiction = Contradiction::kNone;  ///< why it is `unknown`, whatever the nearest cause explains
   std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;
+
+  [[nodiscard]] bool isNamed(const std::string& cause) const;
+  [[nodiscard]] bool isBeside(const std::string& cause) const;
+  /// Whether it is one of those that the answer is made of.
+  [[nodiscard]] bool holds(const std::string& cause) const { return isNamed(cause) || isBeside(cause); }
+  /// Whether it is made of two.
+  [[nodiscard]] bool holdsSeveral() const { return names.size() + beside.size() > 1; }
 };
 
 struct NextExperiment {

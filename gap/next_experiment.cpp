@@ -22,18 +22,12 @@ struct Asked {
   Candidate candidate;
 };
 
-const Candidate* named(const std::vector<Candidate>& singles, const std::string& name) {
+/// The best of the single causes whose name suits; null if none does.
+template <class Suits>
+const Candidate* firstOf(const std::vector<Candidate>& singles, Suits suits) {
   const auto found = std::find_if(singles.begin(), singles.end(),
-                                  [&](const Candidate& candidate) { return candidate.hypothesis.name == name; });
+                                  [&](const Candidate& candidate) { return suits(candidate.hypothesis.name); });
   return found == singles.end() ? nullptr : &*found;
-}
-
-/// The best of the single causes that is none of these.
-const Candidate* bestBut(const std::vector<Candidate>& singles, const std::vector<std::string>& names) {
-  const auto other = std::find_if(singles.begin(), singles.end(), [&](const Candidate& candidate) {
-    return std::find(names.begin(), names.end(), candidate.hypothesis.name) == names.end();
-  });
-  return other == singles.end() ? nullptr : &*other;
 }
 
 /// Those that come near to what is named, the nearest first.
@@ -48,30 +42,31 @@ using Rivals = std::pair<Asked, Asked>;
 
 std::optional<Rivals> rivalsOfPair(const Decision& decision) {
   const Candidate& winner = *decision.winner;
-  std::optional<Rivals> first;
+  for (const Rival& nearest : nearestFirst(decision.rivals)) {
+    const Candidate* const pair = pairWith(decision, nearest);
+    if (pair) return Rivals{{nearest.instead_of, winner}, {nearest.name, *pair}};
+  }
   for (const Candidate& pair : decision.pairs) {
     const std::optional<Rival> other = exchangedIn(pair, winner);
-    if (!other) continue;
-    const Rivals rivals{{other->instead_of, winner}, {other->name, pair}};
-    if (!first) first = rivals;
-    for (const Rival& nearest : nearestFirst(decision.rivals))
-      if (nearest.name == other->name && nearest.instead_of == other->instead_of) return rivals;
+    if (other) return Rivals{{other->instead_of, winner}, {other->name, pair}};
   }
-  if (first) return first;
   const std::vector<Candidate> members = membersOf(winner);
-  const Candidate* const other = bestBut(decision.singles, {members[0].hypothesis.name, members[1].hypothesis.name});
+  const std::string &asked = members[0].hypothesis.name, &kept = members[1].hypothesis.name;
+  const Candidate* const other =
+      firstOf(decision.singles, [&](const std::string& name) { return name != asked && name != kept; });
   if (!other) return std::nullopt;
-  return Rivals{{members[0].hypothesis.name, winner}, {other->hypothesis.name, pairOf(*other, members[1])}};
+  return Rivals{{asked, winner}, {other->hypothesis.name, pairOf(*other, members[1])}};
 }
 
 std::optional<Rivals> rivalsOfSingle(const Decision& decision) {
   const Candidate& winner = *decision.winner;
+  const std::string& asked = winner.hypothesis.name;
   const Candidate* other = nullptr;
   for (const Rival& nearest : nearestFirst(decision.rivals))
-    if (!other) other = named(decision.singles, nearest.name);
-  if (!other) other = bestBut(decision.singles, {winner.hypothesis.name});
+    if (!other) other = firstOf(decision.singles, [&](const std::string& name) { return name == nearest.name; });
+  if (!other) other = firstOf(decision.singles, [&](const std::string& name) { return name != asked; });
   if (!other) return std::nullopt;
-  return Rivals{{winner.hypothesis.name, winner}, {other->hypothesis.name, *other}};
+  return Rivals{{asked, winner}, {other->hypothesis.name, *other}};
 }
 
 std::size_t sampleOfLargestDifference(const Replay& replay, const World& a, const World& b, std::uint64_t seed) {

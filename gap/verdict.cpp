@@ -9,6 +9,14 @@
 
 namespace gap {
 
+bool Verdict::isNamed(const std::string& cause) const {
+  return std::find(names.begin(), names.end(), cause) != names.end();
+}
+
+bool Verdict::isBeside(const std::string& cause) const {
+  return std::find(beside.begin(), beside.end(), cause) != beside.end();
+}
+
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.

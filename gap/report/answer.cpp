@@ -51,7 +51,7 @@ std::string upperFirst(std::string text) {
 std::string strengthText(const Diagnosis& diagnosis) {
   std::vector<std::string> all;
   for (const Cause& cause : diagnosis.causes) {
-    if (!isNamed(diagnosis, cause) && !isBeside(diagnosis, cause)) continue;
+    if (!diagnosis.verdict.holds(cause.name)) continue;
     std::vector<std::string> numbers;
     for (const FittedParameter& p : cause.parameters) {
       const std::string unit = unitOf(p);
@@ -59,8 +59,7 @@ std::string strengthText(const Diagnosis& diagnosis) {
       numbers.push_back(fittedText(cause, p) + recorded);
     }
     if (!cause.setups.empty()) numbers.push_back("true minus recorded, by set-up: " + setupText(cause));
-    const bool several = diagnosis.verdict.names.size() + diagnosis.verdict.beside.size() > 1;
-    const std::string title = several ? causeTitle(diagnosis, cause.name) + ": " : "";
+    const std::string title = diagnosis.verdict.holdsSeveral() ? causeTitle(diagnosis, cause.name) + ": " : "";
     if (!numbers.empty()) all.push_back(title + core::join(numbers, "; "));
   }
   for (std::string& sentence : all) sentence = upperFirst(std::move(sentence));
@@ -203,16 +202,6 @@ std::string fittedText(const Cause& cause, const FittedParameter& parameter) {
   const std::string interval =
       parameter.interval ? fmt::format(" (95 % interval {})", intervalText(*parameter.interval, unit)) : "";
   return fmt::format("{} {}{}", parameterTitle(cause, parameter), withUnit(parameter.value, unit), interval);
-}
-
-bool isNamed(const Diagnosis& diagnosis, const Cause& cause) {
-  const auto& names = diagnosis.verdict.names;
-  return std::find(names.begin(), names.end(), cause.name) != names.end();
-}
-
-bool isBeside(const Diagnosis& diagnosis, const Cause& cause) {
-  const auto& beside = diagnosis.verdict.beside;
-  return std::find(beside.begin(), beside.end(), cause.name) != beside.end();
 }
 
 void addAnswer(report::Page& page, const Diagnosis& diagnosis) {

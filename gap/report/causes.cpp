@@ -28,11 +28,6 @@ const char* kindInWords(CauseKind kind) {
   return "";
 }
 
-/// Whether the answer holds two causes, or one and a number beside it.
-bool togetherIn(const Diagnosis& diagnosis) {
-  return diagnosis.verdict.names.size() + diagnosis.verdict.beside.size() > 1;
-}
-
 Html lineBreak() { return report::rawHtml("<br/>"); }
 
 Html numbersOf(const Cause& cause) {
@@ -68,8 +63,7 @@ void addChart(report::Page& page, const Diagnosis& diagnosis) {
     const Cause& cause = diagnosis.causes[i];
     report::BarFigure::Bar bar{letterOf(i) + "  " + causeTitle(diagnosis, cause.name), 100.0 * cause.shrink.fraction,
                                report::Range{100.0 * cause.shrink.interval.low, 100.0 * cause.shrink.interval.high},
-                               isNamed(diagnosis, cause) || isBeside(diagnosis, cause),
-                               shrinkOf(cause.shrink.fraction)};
+                               diagnosis.verdict.holds(cause.name), shrinkOf(cause.shrink.fraction)};
     least = std::min({least, bar.value, bar.interval->low});
     bars.bars.push_back(std::move(bar));
   }
@@ -77,7 +71,7 @@ void addChart(report::Page& page, const Diagnosis& diagnosis) {
   page.figure(report::barFigure(bars),
               diagnosis.verdict.names.empty()
                   ? "Each cause alone. None of them is right: a right cause would leave hardly more than noise."
-              : togetherIn(diagnosis)
+              : diagnosis.verdict.holdsSeveral()
                   ? "Dark: what the answer names and corrects, both together; light: others. What a "
                     "right cause leaves is noise."
                   : "Dark: what the answer names; light: others, each alone. What a right cause "
@@ -89,8 +83,9 @@ void addTable(report::Page& page, const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < diagnosis.causes.size(); ++i) {
     const Cause& cause = diagnosis.causes[i];
     Html name = report::text(letterOf(i) + "  ") + report::strong(causeTitle(diagnosis, cause.name));
-    if (isNamed(diagnosis, cause)) name += report::text(" ") + report::badge("named", report::Tone::Bad);
-    if (isBeside(diagnosis, cause)) name += report::text(" ") + report::badge("corrected too", report::Tone::Bad);
+    if (diagnosis.verdict.isNamed(cause.name)) name += report::text(" ") + report::badge("named", report::Tone::Bad);
+    if (diagnosis.verdict.isBeside(cause.name))
+      name += report::text(" ") + report::badge("corrected too", report::Tone::Bad);
     name += lineBreak() + report::rawHtml("<small>") + report::text(std::string(kindInWords(cause.kind)) + ": ") +
             report::code(cause.name + (cause.variant.empty() ? "" : " (" + cause.variant + ")")) +
             report::text(cause.sensors.empty() ? "" : "; sensor " + core::join(cause.sensors) + " only") +
@@ -152,7 +147,7 @@ void addConfusion(report::Page& page, const Diagnosis& diagnosis) {
   if (diagnosis.verdict.names.empty()) return;
   std::size_t rival = 0;
   for (std::size_t j = 1; j < confusion.names.size(); ++j) {
-    if (isNamed(diagnosis, diagnosis.causes[j]) || isBeside(diagnosis, diagnosis.causes[j])) continue;
+    if (diagnosis.verdict.holds(diagnosis.causes[j].name)) continue;
     if (rival == 0 || confusion.alike[0][j] > confusion.alike[0][rival]) rival = j;
   }
   if (rival == 0) return;
@@ -177,7 +172,7 @@ void addCauses(report::Page& page, const Diagnosis& diagnosis) {
       "their noise, so it may say less.{}",
       diagnosis.background.hypotheses,
       diagnosis.causes.size() == 1 ? "is the only one that explains any of it" : "are the best",
-      togetherIn(diagnosis)
+      diagnosis.verdict.holdsSeveral()
           ? " Of what is named or corrected together both are said of all of it; each of the others stands alone, or "
             "beside the one of two whose partner it may replace."
           : ""));

@@ -47,18 +47,18 @@ void addNumbers(report::Page& page, const Diagnosis& diagnosis) {
   };
   share(&TotalGap::missing_fraction, "missing echoes (share)");
   share(&TotalGap::extra_fraction, "extra echoes (share)");
-  page.table({{"measurand", Align::Left, true},
-              {"bias before (95 % interval)", Align::Right},
-              {"bias after", Align::Right},
-              {"scatter error before", Align::Right},
-              {"scatter error after", Align::Right}},
-             rows,
-             diagnosis.after
-                 ? "Means over these samples, all detections of a sample together. Bias > 0: the simulation is too "
-                   "high. A measurand in which little was wrong may get a little worse: the causes were "
-                   "fitted to all measurands at once."
-                 : "Means over these samples, all detections of a sample together. Bias > 0: the "
-                   "simulation is too high.");
+  page.table(
+      {{"measurand", Align::Left, true},
+       {"bias before (95 % interval)", Align::Right},
+       {"bias after", Align::Right},
+       {"scatter error before", Align::Right},
+       {"scatter error after", Align::Right}},
+      rows,
+      std::string("Means over these samples, all detections of a sample together. Bias > 0: the simulation is too "
+                  "high.") +
+          (diagnosis.after ? " A measurand in which little was wrong may get a little worse: the causes were "
+                             "fitted to all measurands at once."
+                           : ""));
 }
 
 /// Cumulative share of sorted values below x.

@@ -32,7 +32,7 @@ void addProposal(report::Page& page, const Diagnosis& diagnosis) {
   page.paragraph("Only this changes in the model file (numbers rounded here):");
   nlohmann::ordered_json change;
   for (const Cause& cause : diagnosis.causes) {
-    if (!isNamed(diagnosis, cause) && !isBeside(diagnosis, cause)) continue;
+    if (!diagnosis.verdict.holds(cause.name)) continue;
     const nlohmann::json::json_pointer place(cause.kind == CauseKind::kEffect ? "/effects/" + cause.name : cause.name);
     if (!diagnosis.proposed_model.contains(place)) continue;
     change[nlohmann::ordered_json::json_pointer(place.to_string())] = rounded(diagnosis.proposed_model.at(place));
@@ -97,8 +97,7 @@ std::vector<report::Definition> words() {
       word("total gap", "word-total-gap",
            "One number for all measurands: bias and scatter error, each counted in steps of the sensor's resolution, "
            "plus the missing and extra echoes in per cent. 10 means, for instance, ten resolution steps too far. Noise "
-           "is "
-           "not taken off, so a fine resolution makes it large however right the model is."),
+           "is not taken off, so a fine resolution makes it large however right the model is."),
       word("held-out samples", "word-held-out",
            "Recordings that were kept aside while the causes were fitted. A cause must prove itself on them: on the "
            "data that it was fitted to, any cause looks good."),
@@ -107,10 +106,9 @@ std::vector<report::Definition> words() {
            "100 %: what is left is noise."),
       word("gap shrinks by", "word-shrinks",
            "By how much the total gap falls on the held-out samples when the cause is added. Below zero: it grows."),
-      word(
-          "“named”, “corrected too”", "",
-          "Named: what the answer says is the cause. Corrected too: a number that was fitted together with it and goes "
-          "into the proposed model. The others are listed for comparison."),
+      word("“named”, “corrected too”", "",
+           "Named: what the answer says is the cause. Corrected too: a number that was fitted together with it; if it "
+           "is one of the model's, it goes into the proposed model. The others are listed for comparison."),
       word(
           "confidence", "word-confidence",
           "How sure the answer is, between 0 and 100 %. The causes that explain the data share it, but of two that are "

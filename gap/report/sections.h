@@ -19,9 +19,5 @@ void addMethod(report::Page& page, const Diagnosis& diagnosis);  ///< and the wo
 
 /// "meteorological visibility 522 m (95 % interval 450 to 594 m)".
 [[nodiscard]] std::string fittedText(const Cause& cause, const FittedParameter& parameter);
-/// Whether the verdict names a cause.
-[[nodiscard]] bool isNamed(const Diagnosis& diagnosis, const Cause& cause);
-/// Whether it is a number that was fitted together with what the verdict names.
-[[nodiscard]] bool isBeside(const Diagnosis& diagnosis, const Cause& cause);
 
 }  // namespace gap

@@ -18,8 +18,8 @@ bool isIn(const std::vector<std::string>& names, const std::string& name) {
 }
 
 const char* roleOf(const Verdict& verdict, const std::string& cause) {
-  if (isIn(verdict.names, cause)) return "cause";
-  if (isIn(verdict.beside, cause)) return "beside it";
+  if (verdict.isNamed(cause)) return "cause";
+  if (verdict.isBeside(cause)) return "beside it";
   if (isIn(verdict.indistinguishable_from, cause)) return "or instead";
   return "also weighed";
 }

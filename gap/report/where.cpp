@@ -52,7 +52,8 @@ void addRows(report::Page& page, const std::vector<WhereRow>& rows) {
 void addBlock(report::Page& page, const Diagnosis& diagnosis) {
   std::set<std::string> blocks;
   for (const Cause& cause : diagnosis.causes) {
-    if (isNamed(diagnosis, cause) && !cause.decomposition_block.empty()) blocks.insert(cause.decomposition_block);
+    if (diagnosis.verdict.isNamed(cause.name) && !cause.decomposition_block.empty())
+      blocks.insert(cause.decomposition_block);
   }
   if (blocks.empty()) return;
   using model::Stage;

@@ -69,6 +69,12 @@ double ResidualTable::commonShift() const {
   return std::abs(sum) - noise > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight() / scale : 0.0;
 }
 
+const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table) {
+  const auto same = std::find_if(tables.begin(), tables.end(),
+                                 [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
+  return same == tables.end() ? nullptr : &*same;
+}
+
 const model::Measurand& measurandOf(const Replay& replay, Channel channel) {
   const auto& measurands = replay.experiment().measurands;
   const auto carried = std::find_if(measurands.begin(), measurands.end(), [&](const model::Measurand& m) {

@@ -66,6 +66,9 @@ struct Sides {
 /// Residuals of every channel (bias and scatter) and of existence.
 [[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides);
 
+/// The one of some tables that holds the same component of the same measurand; null if none does.
+[[nodiscard]] const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table);
+
 /// The measurand of the experiment that a channel carries.
 [[nodiscard]] const model::Measurand& measurandOf(const Replay& replay, Channel channel);
 

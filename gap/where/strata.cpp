@@ -26,7 +26,6 @@ using Row = ResidualTable::Row;
 class GapOfRows {
  public:
   explicit GapOfRows(const ResidualTable& table) : table_(table), all_(table.sumBeyondErrors()), data_(table.weight()) {
-    for (const Row& row : table.rows) weight_ += row.weight;
     if (all_ > 0.0) return;
     count_sign_ = table.sign();
     for (const Row& row : table.rows) all_ += of(row);
@@ -36,15 +35,13 @@ class GapOfRows {
     return row.weight * (count_sign_ == 0.0 ? row.beyondError() : count_sign_ * row.value);
   }
   [[nodiscard]] double all() const { return all_; }
-  [[nodiscard]] double weight() const { return weight_; }  ///< of all rows
-  [[nodiscard]] double data() const { return data_; }      ///< detections, or shots
+  [[nodiscard]] double data() const { return data_; }  ///< detections, or shots
 
  private:
   const ResidualTable& table_;
   double count_sign_ = 0.0;
   double all_;
   double data_;
-  double weight_ = 0.0;
 };
 
 /// A group of rows with adjacent values (or one name).
@@ -185,7 +182,7 @@ std::optional<Stratum> stratumOf(const GapOfRows& gaps, const Covariate& covaria
   // Where nothing is there is no range, and no shot more: every beam has its place behind the last surface.
   double weight = 0.0;
   for (const Group& group : groups) weight += group.weight;
-  if (gaps.table().sign() == 0.0) weight = gaps.weight();
+  if (gaps.table().sign() == 0.0) weight = gaps.data();
   Best best = bestRun(groups, gaps, weight, !covariate.numeric);
   if (best.lift <= 0.0) return std::nullopt;
   if (covariate.numeric && best.last - best.first < kFewGroups)

@@ -171,9 +171,8 @@ std::vector<WhereRow> rowsOfCause(const Replay& replay, const WhereResult& witho
   std::vector<TableChange> changes;
   double most = 0.0;
   for (ResidualTable& table : differences(with.expected, without.expected)) {
-    const auto other = std::find_if(once_more.begin(), once_more.end(),
-                                    [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
-    if (other == once_more.end()) continue;
+    const ResidualTable* const other = sameOf(once_more, table);
+    if (!other) continue;
     changes.push_back(table.sign() == 0.0 ? changeOfValues(table, *other, with.frames)
                                           : changeOfEchoes(std::move(table), with.frames));
     most = std::max(most, changes.back().size);

@@ -196,14 +196,19 @@ bool staysBelowCeiling(const Candidate& winner, double left) {
   return std::min({left, 1.0 - winner.explained, winner.total_left}) >= kLeftByALaw;
 }
 
+const Candidate* pairWith(const Decision& decision, const Rival& rival) {
+  const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), [&](const Candidate& candidate) {
+    const std::optional<Rival> other = exchangedIn(candidate, *decision.winner);
+    return other && other->name == rival.name && other->instead_of == rival.instead_of;
+  });
+  return pair == decision.pairs.end() ? nullptr : &*pair;
+}
+
 std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision) {
   std::vector<std::pair<std::string, Candidate>> tied;
   for (const Rival& rival : decision.rivals) {
-    const auto pair = std::find_if(decision.pairs.begin(), decision.pairs.end(), [&](const Candidate& candidate) {
-      const std::optional<Rival> other = exchangedIn(candidate, *decision.winner);
-      return other && other->name == rival.name && other->instead_of == rival.instead_of;
-    });
-    if (rival.tied() && pair != decision.pairs.end()) tied.emplace_back(rival.name, *pair);
+    const Candidate* const pair = rival.tied() ? pairWith(decision, rival) : nullptr;
+    if (pair) tied.emplace_back(rival.name, *pair);
   }
   return tied;
 }

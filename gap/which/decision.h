@@ -61,6 +61,10 @@ struct Decision {
 /// the cause by themselves.
 [[nodiscard]] bool staysBelowCeiling(const Candidate& winner, double left);
 
+/// Of the pairs that were tried, that in which a rival stands in a member's place; null if none was. The winner is a
+/// pair.
+[[nodiscard]] const Candidate* pairWith(const Decision& decision, const Rival& rival);
+
 /// The pairs in which another cause stands in a member's place, by its name (Decision::ties).
 [[nodiscard]] std::vector<std::pair<std::string, Candidate>> tiedPairs(const Decision& decision);
 

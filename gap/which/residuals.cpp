@@ -54,12 +54,6 @@ double floorOf(const ResidualTable& as_it_was) {
   return sizes.empty() ? kLeast : std::max(kFloor * medianOf(sizes), kLeast);
 }
 
-const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table) {
-  const auto same = std::find_if(tables.begin(), tables.end(),
-                                 [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });
-  return same == tables.end() ? nullptr : &*same;
-}
-
 Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Evidence& evidence) {
   const std::set<std::size_t> samples(evidence.samples.begin(), evidence.samples.end());
   Residuals residuals;

@@ -29,8 +29,6 @@ inline constexpr std::size_t kFewestRows = 30;
 /// The floor of a table's residuals, a tenth of the median size of those that it held at first: nothing is sought
 /// below.
 [[nodiscard]] double floorOf(const ResidualTable& as_it_was);
-/// The one of some tables that holds the same component of the same measurand; null if none does.
-[[nodiscard]] const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table);
 
 /// Of the samples of `evidence`; some of them, evenly, where there are more than anybody needs.
 [[nodiscard]] Residuals residualsOf(const Replay& replay, const ResidualTable& table, const Evidence& evidence);

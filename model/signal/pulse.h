@@ -17,8 +17,8 @@ struct Fluctuation {
   double of_all = 1.0;       ///< of every pulse
   double of_surfaces = 1.0;  ///< besides, of what surfaces send back
 
-  [[nodiscard]] double of(const Pulse& pulse) const { return of(pulse.of_surface); }
-  [[nodiscard]] double of(bool surface) const { return surface ? of_all * of_surfaces : of_all; }
+  [[nodiscard]] double ofSurface() const { return of_all * of_surfaces; }
+  [[nodiscard]] double of(const Pulse& pulse) const { return pulse.of_surface ? ofSurface() : of_all; }
 };
 
 }  // namespace model

@@ -196,7 +196,7 @@ namespace {
 double addStretches(const WaveformPart& part, double level_w, const Fluctuation& fluctuation,
                     std::vector<Stretch>& out) {
   const bool apart = part.mixed() && fluctuation.of_surfaces != 1.0;
-  const double gain = fluctuation.of(part.ofSurface() && !apart);
+  const double gain = part.ofSurface() && !apart ? fluctuation.ofSurface() : fluctuation.of_all;
   if (gain <= 0.0) return gain;
   const double least_w = std::max(level_w / gain, part.lowest_level_w());
   if (apart) {
@@ -353,8 +353,7 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
     for (std::size_t i = 0; i < lone.size() && !fluctuating_effects_.empty(); ++i) {
       core::Random::Key shot = key;
       shot.beam = lone.beam(i);
-      constexpr bool kOfSurface = true;
-      scratch.gain[i] = fluctuationOf(traced.beams[lone.beam(i) - scratch.first_beam], shot).of(kOfSurface);
+      scratch.gain[i] = fluctuationOf(traced.beams[lone.beam(i) - scratch.first_beam], shot).ofSurface();
     }
     lone.fire(settings_, key, scratch.gain);
     for (const Effect* effect : echo_effects_) {

@@ -67,6 +67,17 @@ TEST_F(NextExperiment, OfTwoCausesSeparatesOneFromWhatMayStandInItsPlace) {
   EXPECT_EQ(separatedBy(decision), (Names{"range-offset", "clock-drift"}));
 }
 
+// Nearest to the pair is what stands in the dirt's place, though another pair is better by merit.
+TEST_F(NextExperiment, OfTwoCausesAsksForTheNearestRival) {
+  gap::Decision decision;
+  decision.singles = {offset_, dirt_, drift_, loss_};
+  decision.pairs = {gap::pairOf(offset_, dirt_), gap::pairOf(dirt_, drift_), gap::pairOf(offset_, loss_)};
+  decision.name(decision.pairs.front());
+  decision.rivals = {{.name = "clock-drift", .separation = 3.0, .instead_of = "range-offset"},
+                     {.name = "detection-loss", .separation = 0.1, .instead_of = "cover-contamination"}};
+  EXPECT_EQ(separatedBy(decision), (Names{"cover-contamination", "detection-loss"}));
+}
+
 TEST_F(NextExperiment, OfTwoCausesWithoutRivalsKeepsTheOtherOne) {
   gap::Decision decision;
   decision.singles = {offset_, dirt_, loss_};

@@ -169,10 +169,7 @@ QString causesPart(const GapReport& report, const QPalette& palette) {
                        QObject::tr("Confidence"), QObject::tr("Fitted, with 95 % interval")},
                       palette);
   for (const gap::Cause& cause : report.causes) {
-    const auto isIn = [&](const std::vector<std::string>& names) {
-      return std::ranges::find(names, cause.name) != names.end();
-    };
-    const bool named = isIn(report.verdict.names) || isIn(report.verdict.beside);
+    const bool named = report.verdict.holds(cause.name);
     const QString name = html::text(cause.name);
     const QString kind = html::muted(kindOf(cause).toHtmlEscaped(), palette);
     rows += "<tr>" + cell((named ? "<b>" + name + "</b>" : name) + "<br/>" + kind) +
