@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "gap/causes/counters.h"
 #include "gap/causes/kinds.h"
 #include "gap/causes/layer_gains.h"
-#include "gap/causes/range_comb.h"
 
 namespace gap {
 
@@ -39,20 +38,6 @@ Hypothesis effectHypothesis(const model::EffectInfo& info, const std::vector<std
     world.model = model::withEffect(world.model, {effect, parametersOf(fitted, ordered), {}});
   };
   return hypothesis;
-}
-
-/// The values themselves show the step of a counter, more exactly than any fit: means of few noisy frames hardly do.
-/// Where they are too few to show it (a wall a set-up), the search begins at the step that they suggest: no other one
-/// of those it tries may fit. Of several sensors each has its own.
-void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
-  FreeParameter& step = hypothesis.parameters.front();  // of the range
-  const std::optional<Comb> comb = rangeComb(replay, hypothesis.sensors);
-  if (!comb || comb->step > step.high) return;
-  step.start = comb->step;
-  if (!comb->shown()) return;
-  step.low = comb->step - comb->uncertain;
-  step.high = comb->step + comb->uncertain;
-  hypothesis.seen_in_values = true;
 }
 
 /// A cloud may hang anywhere in front of the sensor, at its height.
@@ -245,7 +230,7 @@ void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& o
   addEffects(replay, only, list);
   addParts(replay.experiment().sensors, list);
   for (Hypothesis& hypothesis : list) {
-    if (hypothesis.name == "quantisation" && hypothesis.variant.empty()) narrowToComb(replay, hypothesis);
+    if (hypothesis.name == "quantisation") readCounter(replay, hypothesis);
   }
   addPatterns(replay, only, list);
 }

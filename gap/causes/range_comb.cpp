@@ -99,6 +99,11 @@ std::optional<Comb> combOf(std::vector<double> values, double rounding) {
   return comb;
 }
 
+bool lieOnSteps(const std::vector<double>& values, double step) {
+  constexpr double kHalf = 0.5;  // of the alignment: scattered values have none, and all of it if they are multiples
+  return values.empty() || step <= 0.0 || alignment(values, 1.0 / step) > kHalf;
+}
+
 std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {
   std::vector<double> ranges;
   double step_m = replay.resolution(kRange);

@@ -25,6 +25,10 @@ struct Comb {
 /// than the rounding, are very few, or reach too many steps far for it to be told. `values` need not be in order.
 [[nodiscard]] std::optional<Comb> combOf(std::vector<double> values, double rounding);
 
+/// Whether values are multiples of a step, but for the rounding of a file that holds few digits; so is anything of a
+/// step of 0, and so are no values at all.
+[[nodiscard]] bool lieOnSteps(const std::vector<double>& values, double step);
+
 /// The comb of all ranges that these sensors measured (none named: all), if it is coarser than the steps of their own
 /// profiles. [m]
 [[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors = {});

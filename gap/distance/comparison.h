@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -14,10 +15,21 @@ namespace gap {
 /// pole or an upright edge, has beams in both halves.
 enum class Half { kAll, kEven, kOdd };
 
-/// Which cells of a sample take part.
+/// In what two sides are compared: whether there is an echo (and what those are like that no surface makes), and of
+/// every channel how large the values are and how they scatter.
+struct Aspects {
+  bool existence = true;
+  std::array<bool, kChannels> means = {true, true, true};
+  std::array<bool, kChannels> spreads = {true, true, true};
+
+  [[nodiscard]] bool ask(Channel channel) const { return means[channel] || spreads[channel]; }
+};
+
+/// Which cells of a sample take part, and in what.
 struct Part {
   Half half = Half::kAll;
   bool edges = true;  ///< cells of beams at edges, too
+  Aspects aspects = {};
 };
 
 /// Measured and simulated statistics of one sample, to be compared.

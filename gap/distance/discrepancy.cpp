@@ -108,13 +108,14 @@ namespace {
 /// of its own side: under the noise of the profile a world that is right to scatter more would pay for it in its means,
 /// the more the fewer frames of it are simulated.
 double ofValues(const Replay& replay, const Comparison& comparison, const std::vector<std::size_t>& surfaces,
-                Channel channel) {
+                Channel channel, const Aspects& aspects) {
   constexpr double kMostOfMeasured = 2.0;  // variance: no world may excuse its means by its noise
   const ReplaySample& sample = replay.samples()[comparison.sample];
   const double of_step = replay.resolution(channel) * replay.resolution(channel) / 12.0;
   const double prior = priorVariance(replay, sample, channel);
   const std::vector<GroupSpread> groups = spreadsOf(surfaces, comparison, channel, prior);
-  double result = spreadDiscrepancy(groups, prior);
+  double result = aspects.spreads[channel] ? spreadDiscrepancy(groups, prior) : 0.0;
+  if (!aspects.means[channel]) return result;
   for (const GroupSpread& group : groups) {
     for (const std::size_t c : group.cells) {
       const CellStatistics &m = comparison.measured[c], &s = comparison.simulated[c];
@@ -133,11 +134,12 @@ double ofValues(const Replay& replay, const Comparison& comparison, const std::v
 /// detections would explain everything: where the world loses what was measured, every channel is as wrong as it was
 /// without a cause.
 double ofLostCell(const Replay& replay, const ReplaySample& sample, std::size_t cell, const CellStatistics& measured,
-                  double lost) {
+                  double lost, const Aspects& aspects) {
   const CellStatistics& baseline = sample.baseline[cell];
   const bool known = lost > 0.0 && measured.count > 0.0 && baseline.count > 0.0;
   double result = 0.0;
   for (const Channel channel : replay.channels()) {
+    if (!aspects.ask(channel)) continue;
     double z = lost;
     if (known) {
       const double error = comparableError(replay, sample, cell, channel, measured, baseline);
@@ -148,13 +150,29 @@ double ofLostCell(const Replay& replay, const ReplaySample& sample, std::size_t 
   return result;
 }
 
-/// Of one sample, but for rare echoes from nowhere.
-double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
+/// Surfaces of a sample that any side detects, in order of the power that they should send back.
+std::vector<std::size_t> surfacesOf(const Comparison& comparison, const ReplaySample& sample, Part part) {
+  const auto& cells = sample.layout->cells();
+  std::vector<std::size_t> surfaces;
+  for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
+    if (comparison.measured[c].count == 0.0 && comparison.simulated[c].count == 0.0) continue;
+    if (takesPart(sample, cells[c], part)) surfaces.push_back(c);
+  }
+  std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
+    return cells[a].power_over_threshold < cells[b].power_over_threshold;
+  });
+  return surfaces;
+}
+
+/// Whether there are echoes, what those are like that no surface makes, and what it costs a world to have no value
+/// where one is asked for. `surfaces`: surfacesOf.
+double ofExistence(const Replay& replay, const Comparison& comparison, Part part,
+                   const std::vector<std::size_t>& surfaces) {
   const auto& [index, measured, measured_frames, simulated, simulated_frames] = comparison;
   const ReplaySample& sample = replay.samples()[index];
   const auto& cells = sample.layout->cells();
+  const bool exists = part.aspects.existence;
   double result = 0.0;
-  std::vector<std::size_t> surfaces;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!takesPart(sample, cells[c], part)) continue;
     const CellStatistics &m = measured[c], &s = simulated[c];
@@ -164,7 +182,7 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
     // an edge: whether a beam still grazes a bright surface, a millimetre decides, or the number of rays.
     const bool often =
         std::max(m.count / measured_frames, s.count / simulated_frames) >= kOftenDetected && !cells[c].at_edge;
-    if (!sample.layout->pooled() && (surface || often)) {
+    if (exists && !sample.layout->pooled() && (surface || often)) {
       const double z =
           rateDifference(m.count, measured_frames, s.count, simulated_frames, kRateOfPower * sample.power_deviation[c]);
       // A world that loses as many shots as were lost would pay for each that another cell lost: its rate would come
@@ -172,12 +190,11 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
       const bool rare = std::min(m.count / measured_frames, s.count / simulated_frames) >= kMostlyDetected;
       result += rare && surface && losesNothing(cells[c]) ? groupLoss(z) : robustLoss(z);
     }
-    if (!surface && !often) continue;
-    if (surface) surfaces.push_back(c);
+    if (!surface && (!often || !exists)) continue;
     const double rate = std::max(m.count / measured_frames, s.count / simulated_frames);
     const double lost = kLostCell * std::max(0.0, rate - kOftenDetected - kRateOfPower * sample.power_deviation[c]);
     if (m.count == 0.0 || s.count == 0.0) {
-      result += ofLostCell(replay, sample, c, m, lost);
+      result += ofLostCell(replay, sample, c, m, lost, part.aspects);
       continue;
     }
     if (surface) continue;
@@ -187,22 +204,29 @@ double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
       result += robustLoss(std::min(z, lost));
     }
   }
-  std::stable_sort(surfaces.begin(), surfaces.end(), [&](std::size_t a, std::size_t b) {
-    return cells[a].power_over_threshold < cells[b].power_over_threshold;
-  });
-  if (!sample.layout->pooled()) {
+  if (exists && !sample.layout->pooled()) {
     std::vector<std::size_t> sure = surfaces;
     std::erase_if(sure, [&](std::size_t c) { return kRateOfPower * sample.power_deviation[c] > kSureRate; });
     addRates(sure, measured, measured_frames, simulated, simulated_frames, result);
   }
-  for (const Channel channel : replay.channels()) result += ofValues(replay, comparison, surfaces, channel);
+  return result;
+}
+
+/// Of one sample, but for rare echoes from nowhere.
+double ofSample(const Replay& replay, const Comparison& comparison, Part part) {
+  const std::vector<std::size_t> surfaces = surfacesOf(comparison, replay.samples()[comparison.sample], part);
+  double result = ofExistence(replay, comparison, part, surfaces);
+  for (const Channel channel : replay.channels())
+    result += ofValues(replay, comparison, surfaces, channel, part.aspects);
   return result;
 }
 
 }  // namespace
 
 double discrepancy(const Replay& replay, std::span<const Comparison> comparisons, Part part) {
-  double sum = extraDiscrepancy(replay, comparisons, part) + lostDiscrepancy(replay, comparisons, part);
+  double sum = 0.0;
+  if (part.aspects.existence)
+    sum = extraDiscrepancy(replay, comparisons, part) + lostDiscrepancy(replay, comparisons, part);
   for (const Comparison& comparison : comparisons) sum += ofSample(replay, comparison, part);
   return sum;
 }

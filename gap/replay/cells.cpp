@@ -178,7 +178,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
   const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
   reach_m_ = std::max(1.0, 2.0 * separation_m);
-  const double step_m = settings.detection.range_resolution_m, noise_m = settings.detection.range_noise_m;
+  const double step_m = std::max(settings.detection.range_resolution_m, settings.counters.range_m);
+  const double noise_m = settings.detection.range_noise_m;
   tolerance_m_ = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
   if (pooled_) {
     cells_ = {{.object = 0}};

@@ -16,6 +16,7 @@
 #include "gap/which/partners.h"
 #include "gap/which/second_cause.h"
 #include "gap/which/second_search.h"
+#include "gap/which/untouched.h"
 #include "gap/which/whole_gap.h"
 
 namespace gap {
@@ -149,26 +150,17 @@ std::optional<Candidate> provenByMeans(const Judge& quick, const Judge& exact, c
   return holds ? std::optional(pair) : std::nullopt;
 }
 
-}  // namespace
-
-void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, Decision& decision) {
-  decision.name(pairs.front());
-  pairs.front() = *decision.winner;  // its members in the same order
-  const double added = std::max(0.0, 1.0 - decision.singles.front().explained / pairs.front().explained);
-  decision.rivals = rivalsInPairs(quick, exact, pairs, added);
-}
-
-bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
-                Decision& decision, core::Progress& progress) {
+/// Looks for two causes that earn their place in all aspects together.
+bool namesTogether(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                   Decision& decision, core::Progress& progress) {
   const Candidate first = decision.singles.front();
   const double left_by_first = restOf(exact, first);
   const bool room = roomForASecond(exact, first, left_by_first);
   if (!room && !mayHideASecond(exact, first)) return false;
   const auto closely = room ? closeJudgeBeside(usual, exact, first, left_by_first) : nullptr;
   const Judge& quick = closely ? closely->judge : usual;
-  core::PartOfProgress part(progress, 0.6, 0.85);
   std::vector<Candidate>& pairs = decision.pairs =
-      room ? rankPairs(quick, decision.singles, part) : smallSeconds(quick, exact, decision.singles, part);
+      room ? rankPairs(quick, decision.singles, progress) : smallSeconds(quick, exact, decision.singles, progress);
   if (hopeless(exact.yardstick, pairs)) return false;
   learnFrom(pairs, quick, exact, gaps, where, decision.singles, progress);
   if (room) joinLeaders(exact, decision.singles, pairs, progress);
@@ -192,6 +184,51 @@ bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps,
   leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));
   nameFirstOf(pairs, quick, exact, decision);
   return true;
+}
+
+/// Looks for a second cause beside the best single one where that one does nothing; it must hold in all aspects and on
+/// the total gap, too.
+bool namesWhereUntouched(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                         Decision& decision, core::Progress& progress) {
+  const Candidate& best = decision.singles.front();
+  if (hopeless(exact.yardstick, {best})) return false;
+  const WhereUntouched there(exact, best);
+  if (!there.missesSomething()) return false;
+  std::vector<Candidate> pairs = there.pairs(quick, decision.singles, progress);
+  polish(exact, gaps, pairs, where, progress);
+  const auto holds = [&](const Candidate& pair) {
+    if (exact.accountedFor(pair) < enoughToName(exact.yardstick)) return false;
+    return earnsItsSecondElsewhere(quick, exact, best, pair, there.nothingLeftBy(pair));
+  };
+  const auto named = std::find_if(pairs.begin(), pairs.end(), holds);
+  if (named == pairs.end()) return false;
+  std::vector<Candidate> all{*named};
+  pairs.erase(named);
+  for (std::vector<Candidate>* const some : {&pairs, &decision.pairs}) {
+    for (Candidate& pair : *some)
+      if (std::none_of(all.begin(), all.end(), [&](const Candidate& one) { return samePair(one, pair); }))
+        all.push_back(std::move(pair));
+  }
+  decision.pairs = std::move(all);
+  leadByPlainest(quick, exact, decision.pairs, addedBySecond(best, decision.pairs));
+  nameFirstOf(decision.pairs, quick, exact, decision);
+  return true;
+}
+
+}  // namespace
+
+void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge& exact, Decision& decision) {
+  decision.name(pairs.front());
+  pairs.front() = *decision.winner;  // its members in the same order
+  const double added = std::max(0.0, 1.0 - decision.singles.front().explained / pairs.front().explained);
+  decision.rivals = rivalsInPairs(quick, exact, pairs, added);
+}
+
+bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
+                Decision& decision, core::Progress& progress) {
+  core::PartOfProgress part(progress, 0.6, 0.85);
+  return namesTogether(usual, exact, gaps, where, decision, part) ||
+         namesWhereUntouched(usual, exact, gaps, where, decision, part);
 }
 
 }  // namespace gap

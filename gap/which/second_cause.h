@@ -30,6 +30,11 @@ namespace gap {
 /// of the discrepancy.
 [[nodiscard]] bool earnsItsSecondByMeans(const Judge& quick, const Judge& exact, const Candidate& best,
                                          const Candidate& pair);
+/// The same of a pair that accounts for what is missing where the best single cause does nothing (untouched.h). If it
+/// leaves nothing there, it may leave more of the total gap than the single cause, but not all of it: pooled data count
+/// edges, which programs differ in.
+[[nodiscard]] bool earnsItsSecondElsewhere(const Judge& quick, const Judge& exact, const Candidate& best,
+                                           const Candidate& pair, bool nothing_left_there);
 
 /// Second causes beside a single one that prove themselves, one of so many causes: each gains what chance gives none of
 /// them, as much of it as a cause that is there would bring, and leaves nothing. This sees what is in no rest: the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -81,6 +82,14 @@ struct EffectParameters {
   [[nodiscard]] std::vector<double> listOr(const std::string& name, std::vector<double> otherwise) const;
 };
 
+/// In what steps the outputs are counted, before they are rounded to the profile's resolution; 0: in fine ones.
+struct CounterSteps {
+  double range_m = 0.0;
+  double epw_m = 0.0;
+  double intensity_nw = 0.0;
+  double intensity_full_scale_nw = std::numeric_limits<double>::infinity();  ///< the highest level
+};
+
 /// The constants of the signal chain, taken from the profile; effects may change them before anything runs.
 struct ChainSettings {
   Emitter emitter;
@@ -88,7 +97,8 @@ struct ChainSettings {
   DetectionStage detection;
   AngularSize divergence;        ///< zero: the beam is its central ray (beam-divergence off)
   bool broadens_pulses = false;  ///< false: sub-rays on one object count at their mean range
-  double range_scale = 1.0;      ///< time base: reported = scale * true + offset
+  CounterSteps counters;
+  double range_scale = 1.0;  ///< time base: reported = scale * true + offset
   double range_offset_m = 0.0;
   Vector3 sensor_position_m{};  ///< where the sensor really stands; the origin but for a mounting error
   Vector3

@@ -6,19 +6,19 @@ namespace model::effects {
 
 namespace {
 
-/// Coarse counters: the outputs are rounded to these steps in place of the profile's resolution. With `intensity_bits`
-/// the intensity has 2^bits levels up to the full scale.
+/// Coarse counters: the outputs come in these steps, and are then rounded to the profile's resolution as all outputs
+/// are (formats.md section 3, step 6). With `intensity_bits` the intensity has 2^bits levels up to the full scale.
 class Quantisation final : public Effect {
  public:
   explicit Quantisation(const EffectParameters& parameters) : parameters_(parameters) {}
 
   void prepare(ChainSettings& settings, const Environment&) override {
-    DetectionStage& stage = settings.detection;
-    stage.range_resolution_m = parameters_.numberOr("range_step_m", stage.range_resolution_m);
-    stage.epw_resolution_m = parameters_.numberOr("epw_step_m", stage.epw_resolution_m);
+    CounterSteps& counters = settings.counters;
+    counters.range_m = parameters_.numberOr("range_step_m", counters.range_m);
+    counters.epw_m = parameters_.numberOr("epw_step_m", counters.epw_m);
     if (const auto bits = parameters_.number("intensity_bits")) {
-      const double full_scale_nw = parameters_.numberOr("intensity_full_scale_nw", 1e5);
-      stage.intensity_resolution_nw = full_scale_nw / (std::exp2(std::round(*bits)) - 1.0);
+      counters.intensity_full_scale_nw = parameters_.numberOr("intensity_full_scale_nw", 1e5);
+      counters.intensity_nw = counters.intensity_full_scale_nw / (std::exp2(std::round(*bits)) - 1.0);
     }
   }
 

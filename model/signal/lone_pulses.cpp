@@ -101,12 +101,21 @@ void blur(Echo& echo, const ChainSettings& settings, const ShotNoise& noise) {
   blurred(1, 1.0, 0.0, stage.epw_noise_m, &noise.epw, &echo.epw_m);
 }
 
-void LonePulses::count(const DetectionStage& stage) {
-  if (stage.range_resolution_m > 0.0) toSteps(size(), stage.range_resolution_m, range_m_.data());
-  if (stage.epw_resolution_m > 0.0) toSteps(size(), stage.epw_resolution_m, epw_m_.data());
-  for (double& epw_m : epw_m_) epw_m = epw_m > 0.0 ? epw_m : 0.0;
+void LonePulses::roundTo(double range_m, double epw_m, double intensity_nw) {
+  if (range_m > 0.0) toSteps(size(), range_m, range_m_.data());
+  if (epw_m > 0.0) toSteps(size(), epw_m, epw_m_.data());
+  if (intensity_nw > 0.0) toSteps(size(), intensity_nw, peak_w_.data());
+}
+
+void LonePulses::count(const ChainSettings& settings) {
+  const DetectionStage& stage = settings.detection;
+  const CounterSteps& counters = settings.counters;
   scale(size(), kWattToNanowatt, peak_w_.data());
-  if (stage.intensity_resolution_nw > 0.0) toSteps(size(), stage.intensity_resolution_nw, peak_w_.data());
+  if (std::isfinite(counters.intensity_full_scale_nw))
+    for (double& peak_nw : peak_w_) peak_nw = std::min(peak_nw, counters.intensity_full_scale_nw);
+  roundTo(counters.range_m, counters.epw_m, counters.intensity_nw);
+  roundTo(stage.range_resolution_m, stage.epw_resolution_m, stage.intensity_resolution_nw);
+  for (double& epw_m : epw_m_) epw_m = epw_m > 0.0 ? epw_m : 0.0;
   for (double& peak_w : peak_w_) peak_w /= kWattToNanowatt;
 }
 

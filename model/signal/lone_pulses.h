@@ -48,11 +48,14 @@ class LonePulses {
   }
   /// Time base, offset and the noise of the measured quantities.
   void blur(const ChainSettings& settings);
-  /// Rounds all echoes as the sensor's counters do.
-  void count(const DetectionStage& stage);
+  /// Counts all echoes, and rounds them as the sensor's outputs are.
+  void count(const ChainSettings& settings);
   [[nodiscard]] ShotNoise noise(std::size_t i) const { return {noise_[0][i], noise_[1][i], noise_[2][i]}; }
 
  private:
+  /// To multiples of these steps [m, m, nW]; 0: as they are. Intensities are nW meanwhile.
+  void roundTo(double range_m, double epw_m, double intensity_nw);
+
   std::vector<std::uint32_t> beam_;
   std::vector<double> pulse_range_m_, power_w_, noise_w_;
   std::vector<double> ratio_, log_, range_m_, epw_m_, peak_w_;

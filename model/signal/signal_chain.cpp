@@ -249,12 +249,14 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
   }
 }
 
-/// Counters are coarse, and nobody reports what lies outside the window.
+/// Counters are coarse, outputs are rounded, and nobody reports what lies outside the window.
 void SignalChain::count(Echo& echo) const {
   const DetectionStage& stage = settings_.detection;
-  echo.range_m = toStep(echo.range_m, stage.range_resolution_m);
-  echo.epw_m = std::max(0.0, toStep(echo.epw_m, stage.epw_resolution_m));
-  echo.peak_w = toStep(kWattToNanowatt * echo.peak_w, stage.intensity_resolution_nw) / kWattToNanowatt;
+  const CounterSteps& counters = settings_.counters;
+  const double peak_nw = std::min(kWattToNanowatt * echo.peak_w, counters.intensity_full_scale_nw);
+  echo.range_m = toStep(toStep(echo.range_m, counters.range_m), stage.range_resolution_m);
+  echo.epw_m = std::max(0.0, toStep(toStep(echo.epw_m, counters.epw_m), stage.epw_resolution_m));
+  echo.peak_w = toStep(toStep(peak_nw, counters.intensity_nw), stage.intensity_resolution_nw) / kWattToNanowatt;
   if (!insideWindow(echo)) echo.fate = Fate::kOutsideWindow;
 }
 
@@ -366,7 +368,7 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
       }
     }
     lone.blur(settings_);
-    lone.count(settings_.detection);
+    lone.count(settings_);
     for (std::size_t i = 0; i < lone.size(); ++i) {
       const Echo echo = lone.echo(i);
       if (!lone.detected(i) || !insideWindow(echo)) continue;

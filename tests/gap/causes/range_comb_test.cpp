@@ -19,7 +19,8 @@ std::vector<double> ranges(double step_m, double rounding_m = kRounding_m) {
   std::vector<double> values;
   for (int i = 0; i < 400; ++i) {
     const double range_m = 4.0 + 20.0 * random.uniform();
-    values.push_back(rounded(step_m > 0.0 ? rounded(range_m, step_m) : range_m, 2.0 * rounding_m));
+    const double counted_m = step_m > 0.0 ? rounded(range_m, step_m) : range_m;
+    values.push_back(rounding_m > 0.0 ? rounded(counted_m, 2.0 * rounding_m) : counted_m);
   }
   return values;
 }
@@ -87,5 +88,12 @@ TEST(RangeComb, SuggestsAStepWhereTheValuesAreTooFewToShowIt) {
 }
 
 TEST(RangeComb, SeesNoneInNothing) { EXPECT_FALSE(gap::combOf({}, kRounding_m)); }
+
+TEST(RangeComb, KnowsMultiplesOfAStepFromOtherValues) {
+  EXPECT_TRUE(gap::lieOnSteps(ranges(0.0419, 0.01), 0.02));
+  EXPECT_FALSE(gap::lieOnSteps(ranges(0.0419, 0.0), 0.02));
+  EXPECT_TRUE(gap::lieOnSteps(ranges(0.0419, 0.0), 0.0));
+  EXPECT_TRUE(gap::lieOnSteps({}, 0.02));
+}
 
 }  // namespace

@@ -58,6 +58,28 @@ TEST(Quantisation, RoundsToItsSteps) {
   EXPECT_NEAR(detections.intensity.at(0), 100 * std::round(1e9 * lab::radarEquation(20.03) / 100), 1e-6);
 }
 
+// 478 steps of 41.9 mm are 20.0282 m.
+TEST(Quantisation, OutputsAreRoundedToTheProfileAfterTheyWereCounted) {
+  lab::Case setup = lab::boardWith(
+      20.03, "quantisation",
+      {{"range_step_m", 0.0419}, {"epw_step_m", 0.31}, {"intensity_bits", 8}, {"intensity_full_scale_nw", 25500}});
+  const auto counted = lab::fire(setup);
+  setup.sensor["detection"]["range_resolution_m"] = 0.02;
+  setup.sensor["detection"]["epw_resolution_m"] = 0.04;
+  setup.sensor["detection"]["intensity_resolution"] = 90;
+  const auto reported = lab::fire(setup);
+  EXPECT_NEAR(counted.range_m.at(0), 20.0282, 1e-9);
+  EXPECT_NEAR(reported.range_m.at(0), 20.02, 1e-9);
+  EXPECT_NEAR(reported.epw_m.at(0), 0.04 * std::round(counted.epw_m.at(0) / 0.04), 1e-9);
+  EXPECT_NEAR(reported.intensity.at(0), 90 * std::round(counted.intensity.at(0) / 90), 1e-6);
+}
+
+TEST(Quantisation, NoIntensityIsAboveTheHighestLevel) {
+  const auto detections =
+      lab::fire(lab::boardWith(20.03, "quantisation", {{"intensity_bits", 8}, {"intensity_full_scale_nw", 255}}));
+  EXPECT_NEAR(detections.intensity.at(0), 255, 1e-9);
+}
+
 // Widrow: over many ranges the error of rounding is uniform with variance q²/12.
 TEST(Quantisation, ErrorHasTheVarianceOfAUniformDistribution) {
   std::vector<double> errors;
