@@ -13,7 +13,7 @@ namespace gap {
 
 namespace {
 
-constexpr double kMoved = 0.1;  // of how far the model is from the measurement in an aspect, most of which is noise
+constexpr double kMoved = 0.1;  // of how far the model is from the measurement in an aspect, its noise and all
 constexpr std::size_t kNoiseRuns = 20;
 
 constexpr Aspects kNothing{.existence = false, .means = {}, .spreads = {}};

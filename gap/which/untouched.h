@@ -6,9 +6,9 @@
 
 namespace gap {
 
-/// In which aspects of the held-out data a cause does nothing (next to what any two measurements differ by): coarse
-/// steps of the range leave every intensity as it is. What is missing there is not its doing, and no program makes the
-/// cause differently there.
+/// In which aspects of the held-out data a cause does nothing, next to how far the model is from the measurement there:
+/// coarse steps of the range leave every intensity as it is. What is missing there is not its doing, and no program
+/// makes the cause differently there.
 [[nodiscard]] Aspects untouchedBy(const Judge& judge, const Candidate& cause);
 
 /// The held-out data as far as a known cause leaves them untouched, in which a second cause is judged as if there were
