@@ -10,8 +10,10 @@ namespace gap {
 
 namespace {
 
+constexpr int kFewDigits = 3, kMostDigits = 7;  // of the ends of an interval
+
 /// What would be said with an exponent beside a number a thousand times as large is 0.
-std::string significantBeside(double largest, double value, int digits = 3) {
+std::string significantBeside(double largest, double value, int digits) {
   constexpr double kWithExponent = 1e-4, kNothing = 1e-3;
   const bool nothing = std::abs(value) < kWithExponent && std::abs(value) < kNothing * std::abs(largest);
   return core::significant(nothing ? 0.0 : value, digits);
@@ -50,8 +52,14 @@ std::string withUnitOf(double largest, double value, const std::string& unit, in
 std::string intervalText(const Interval& interval, const std::string& unit, double largest) {
   const double size = std::max({std::abs(interval.low), std::abs(interval.high), largest});
   const ReadableUnit shown = readableUnit(size, unit);
-  return fmt::format("{} to {}", significantBeside(shown.per_unit * size, shown.per_unit * interval.low),
-                     numberIn(shown, size, interval.high, 3));
+  const auto text = [&](double end, int digits) {
+    return significantBeside(shown.per_unit * size, shown.per_unit * end, digits);
+  };
+  int digits = kFewDigits;
+  while (digits < kMostDigits && interval.low < interval.high &&
+         text(interval.low, digits) == text(interval.high, digits))
+    ++digits;
+  return fmt::format("{} to {}", text(interval.low, digits), numberIn(shown, size, interval.high, digits));
 }
 
 std::string percent(double fraction) { return fmt::format("{:.0f} %", wholePercent(fraction)); }

@@ -19,7 +19,7 @@ struct ReadableUnit {
 /// The same in the unit that suits the largest of some numbers: what stands side by side shares one, and what is
 /// nothing beside the largest is 0.
 [[nodiscard]] std::string withUnitOf(double largest, double value, const std::string& unit, int digits = 3);
-/// "0.42 to 0.47 m"; both ends in one unit, which suits `largest`, too.
+/// "0.42 to 0.47 m"; both ends in one unit, which suits `largest`, too, and in so many digits that they differ.
 [[nodiscard]] std::string intervalText(const Interval& interval, const std::string& unit, double largest = 0.0);
 
 /// "62 %".

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "gap/which/candidates.h"
@@ -15,6 +17,15 @@ inline std::vector<gap::Candidate> usualCauses(const gap::Replay& replay) {
     causes.push_back({.hypothesis = hypothesis, .values = values});
   }
   return causes;
+}
+
+/// The one of that name that comes first among some causes, which there is, with these values.
+inline gap::Candidate causeNamed(const std::vector<gap::Candidate>& causes, const std::string& name,
+                                 const std::vector<double>& values) {
+  gap::Candidate cause =
+      *std::find_if(causes.begin(), causes.end(), [&](const gap::Candidate& c) { return c.hypothesis.name == name; });
+  cause.values = values;
+  return cause;
 }
 
 }  // namespace test_support

@@ -30,6 +30,13 @@ TEST(Quantities, BothEndsOfAnIntervalHaveOneUnit) {
   EXPECT_EQ(intervalText({2e-8, 3e-8}, "W"), "20 to 30 nW");
 }
 
+// The step of a counter is known to a ten-thousandth of it.
+TEST(Quantities, EndsOfANarrowIntervalDiffer) {
+  EXPECT_EQ(intervalText({0.041897, 0.041906}, "m"), "0.0419 to 0.04191 m");
+  EXPECT_EQ(intervalText({0.0419002, 0.0419031}, "m"), "0.0419 to 0.041903 m");
+  EXPECT_EQ(intervalText({20.0, 20.0}, "m"), "20 to 20 m");
+}
+
 TEST(Quantities, OneEchoIsNotSeveral) {
   EXPECT_EQ(withUnit(-1.0, "1/shot"), "-1 echo per shot");
   EXPECT_EQ(withUnit(0.5, "1/shot"), "0.5 echoes per shot");

@@ -1,6 +1,5 @@
 #include "gap/which/second_search.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/gap/small_world.h"
@@ -34,10 +33,7 @@ class BesideAKnownCause {
 
  private:
   [[nodiscard]] gap::Candidate knownAs(const std::string& name, const std::vector<double>& values) const {
-    gap::Candidate known = *std::find_if(singles_.begin(), singles_.end(),
-                                         [&](const gap::Candidate& c) { return c.hypothesis.name == name; });
-    known.values = values;
-    return known;
+    return test_support::causeNamed(singles_, name, values);
   }
 
   model::Experiment measured_;

@@ -1,6 +1,5 @@
 #include "gap/which/untouched.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>
@@ -42,10 +41,7 @@ class BesideACause {
 
  private:
   [[nodiscard]] gap::Candidate knownAs(const std::string& name, const std::vector<double>& values) const {
-    gap::Candidate known = *std::find_if(singles_.begin(), singles_.end(),
-                                         [&](const gap::Candidate& c) { return c.hypothesis.name == name; });
-    known.values = values;
-    return known;
+    return test_support::causeNamed(singles_, name, values);
   }
 
   model::Experiment measured_;
