@@ -23,7 +23,8 @@ namespace gap {
 
 namespace {
 
-constexpr double kHopeless = 0.5;  // of what a cause must account for to be named: closer fits do not double a share
+constexpr double kHopeless = 0.5;     // of what a cause must account for to be named: closer fits do not double a share
+constexpr double kOfTheCells = 0.85;  // explained by a pair, beside noise: of those that explained less none was right
 constexpr std::size_t kPairsHeard = 4;  // best ones: one of them may earn its second cause where the first does not
 constexpr int kRoundsOfExchanges = 2;
 
@@ -70,6 +71,13 @@ bool hopeless(const Yardstick& yardstick, const std::vector<Candidate>& candidat
                      [&](const Candidate& candidate) { return candidate.explained < least; });
 }
 
+/// Whether a pair explains so much of the cells that it may be named: whatever is missing, some two of sixty causes
+/// explain a part of it.
+bool explainsEnough(const Judge& judge, const Candidate& pair) {
+  return pair.explained >= kOfTheCells - 2.0 * judge.yardstick.noiseOfShare() &&
+         judge.accountedFor(pair) >= enoughToName(judge.yardstick);
+}
+
 /// The best cause with what a second search finds beside it, where its own noise hides that. References take long, and
 /// are corrected first where one is wrong.
 std::vector<Candidate> smallSeconds(const Judge& quick, const Judge& exact, std::vector<Candidate> singles,
@@ -109,8 +117,7 @@ struct Asked {
                                                               double left_by_single) const {
     SecondProofs proofs(exact, single, causes);
     return std::find_if(pairs.begin(), pairs.end(), [&](const Candidate& pair) {
-      if (exact.accountedFor(pair) < enoughToName(exact.yardstick) || restOfWholeGap(gaps, pair) > kMostRestOfPair)
-        return false;
+      if (!explainsEnough(exact, pair) || restOfWholeGap(gaps, pair) > kMostRestOfPair) return false;
       return (room && earnsItsSecond(quick, exact, single, left_by_single, pair)) || proofs.of(pair);
     });
   }
@@ -197,8 +204,7 @@ bool namesWhereUntouched(const Judge& quick, const Judge& exact, const HeldOutGa
   std::vector<Candidate> pairs = there.pairs(quick, decision.singles, progress);
   polish(exact, gaps, pairs, where, progress);
   const auto holds = [&](const Candidate& pair) {
-    if (exact.accountedFor(pair) < enoughToName(exact.yardstick)) return false;
-    return earnsItsSecondElsewhere(quick, exact, best, pair, there.nothingLeftBy(pair));
+    return explainsEnough(exact, pair) && earnsItsSecondElsewhere(quick, exact, best, pair, there.nothingLeftBy(pair));
   };
   const auto named = std::find_if(pairs.begin(), pairs.end(), holds);
   if (named == pairs.end()) return false;
