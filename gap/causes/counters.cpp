@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "gap/causes/kinds.h"
 #include "gap/causes/range_comb.h"
 
 namespace gap {
-
-using nlohmann::json;
 
 namespace {
 
@@ -52,26 +51,12 @@ bool finerThanItsProfile(const Replay& replay, const std::vector<std::string>& s
   });
 }
 
-/// JSON Pointers to the profiles of these sensors in a model file.
-std::vector<std::string> profilesIn(const json& model, const std::vector<std::string>& sensors) {
-  std::vector<std::string> places;
-  if (model.contains("sensor")) places.emplace_back("/sensor");
-  if (!model.contains("sensors")) return places;
-  for (const auto& item : model["sensors"].items())
-    if (sensors.empty() || std::find(sensors.begin(), sensors.end(), item.key()) != sensors.end())
-      places.push_back("/sensors/" + item.key());
-  return places;
-}
-
 void leaveUnrounded(const Counted& counted, Hypothesis& hypothesis) {
   hypothesis.apply = [inner = hypothesis.apply, sensors = hypothesis.sensors, resolution = counted.resolution](
                          World& world, const std::vector<double>& values) {
     inner(world, values);
-    json changed = world.model.json;
-    for (const std::string& profile : profilesIn(changed, sensors))
-      changed[json::json_pointer(profile + "/detection/" + resolution)] = 0.0;
-    const model::LidarModel parsed = model::parseModel(changed, world.model.file);
-    world.model = parsed;
+    for (const std::string& profile : profilesIn(world.model.json, sensors))
+      setNumber(world, profile + "/detection/" + resolution, 0.0);
   };
 }
 

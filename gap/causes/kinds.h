@@ -24,4 +24,11 @@ void addReferenceHypotheses(const Replay& replay, const std::vector<std::string>
 /// The number of an effect as it is fitted: what it declares of its plausible range.
 [[nodiscard]] FreeParameter declared(const model::ParameterInfo& info);
 
+/// JSON Pointers to the profiles of these sensors (none named: all) in a model file.
+[[nodiscard]] std::vector<std::string> profilesIn(const nlohmann::json& model,
+                                                  const std::vector<std::string>& sensors = {});
+
+/// Sets a number of the world's model file.
+void setNumber(World& world, const std::string& pointer, double value);
+
 }  // namespace gap

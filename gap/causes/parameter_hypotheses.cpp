@@ -16,10 +16,7 @@ Hypothesis modelParameter(const std::string& pointer, const FreeParameter& value
   hypothesis.name = pointer;
   hypothesis.parameters = {value};
   hypothesis.apply = [pointer](World& world, const std::vector<double>& values) {
-    json changed = world.model.json;
-    changed[json::json_pointer(pointer)] = values[0];
-    const model::LidarModel parsed = model::parseModel(changed, world.model.file);
-    world.model = parsed;
+    setNumber(world, pointer, values[0]);
   };
   return hypothesis;
 }
@@ -47,12 +44,7 @@ void addModelParameters(const Replay& replay, std::vector<Hypothesis>& list) {
     if (value > 0.0)
       list.push_back(modelParameter(pointer, {"value", unit, value / factor, value * factor, true, value}));
   };
-  std::vector<std::string> roots;
-  if (model.contains("sensor")) roots.push_back("/sensor");
-  if (model.contains("sensors")) {
-    for (const auto& item : model["sensors"].items()) roots.push_back("/sensors/" + item.key());
-  }
-  for (const std::string& root : roots) {
+  for (const std::string& root : profilesIn(model)) {
     add(root + "/emitter/peak_power_w", "W", 4.0);
     const bool measured_pulse = model.contains(json::json_pointer(root + "/emitter/pulse_shape"));
     if (!measured_pulse) add(root + "/emitter/pulse_fwhm_ns", "ns", 3.0);  // a measured one brings its own width
@@ -98,6 +90,23 @@ void addMaterials(const Replay& replay, const std::vector<std::string>& objects,
 }
 
 }  // namespace
+
+std::vector<std::string> profilesIn(const json& model, const std::vector<std::string>& sensors) {
+  std::vector<std::string> places;
+  if (model.contains("sensor")) places.emplace_back("/sensor");
+  if (!model.contains("sensors")) return places;
+  for (const auto& item : model["sensors"].items())
+    if (sensors.empty() || std::find(sensors.begin(), sensors.end(), item.key()) != sensors.end())
+      places.push_back("/sensors/" + item.key());
+  return places;
+}
+
+void setNumber(World& world, const std::string& pointer, double value) {
+  json changed = world.model.json;
+  changed[json::json_pointer(pointer)] = value;
+  const model::LidarModel parsed = model::parseModel(changed, world.model.file);
+  world.model = parsed;
+}
 
 void addParameterHypotheses(const Replay& replay, const std::vector<std::string>& objects,
                             std::vector<Hypothesis>& list) {

@@ -93,12 +93,6 @@ bool isNearer(const Judge& quick, const Judge& exact, const Candidate& pair, con
          separationOnAll(quick, exact, pair, best, 0.0) >= least_on_all;
 }
 
-/// Whether a pair explains more than its better member, and is nearer to the data by more than luck.
-bool isBetterBeyondLuck(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
-  return pair.explained > best.explained && isNearer(quick, exact, pair, best) &&
-         !explainsWhatAReferenceLeaves(exact, best, pair);
-}
-
 }  // namespace
 
 bool roomForASecond(const Judge& judge, const Candidate& best, double left_by_best) {
@@ -145,13 +139,14 @@ bool earnsItsSecond(const Judge& quick, const Judge& exact, const Candidate& bes
 }
 
 bool earnsItsSecondByMeans(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair) {
-  return pair.total_left < best.total_left + kMaterialRest && isBetterBeyondLuck(quick, exact, best, pair);
+  return earnsItsSecondElsewhere(quick, exact, best, pair, false);
 }
 
 bool earnsItsSecondElsewhere(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& pair,
                              bool nothing_left_there) {
   const double most_left = nothing_left_there ? 1.0 : best.total_left + kMaterialRest;
-  return pair.total_left < most_left && isBetterBeyondLuck(quick, exact, best, pair);
+  return pair.explained > best.explained && pair.total_left < most_left && isNearer(quick, exact, pair, best) &&
+         !explainsWhatAReferenceLeaves(exact, best, pair);
 }
 
 }  // namespace gap

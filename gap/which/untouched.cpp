@@ -1,11 +1,9 @@
 #include "gap/which/untouched.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "gap/which/decision.h"
-#include "gap/which/partners.h"
 #include "gap/which/second_search.h"
 #include "gap/which/significance.h"
 
