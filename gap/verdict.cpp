@@ -20,7 +20,6 @@ bool Verdict::isBeside(const std::string& cause) const {
 namespace {
 
 /// docs/diagnosis.md gives the reasons for these bounds.
-constexpr double kPairBelief = 0.9;     // of the belief in one cause: either of the two may be another one
 constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
@@ -123,7 +122,7 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
     listed.push_back(candidate.hypothesis.name);
   };
   if (decision.pair()) {
-    const double belief = kPairBelief * beliefOf(*decision.winner);
+    const double belief = beliefOf(*decision.winner);
     for (const Candidate& member : membersOf(*decision.winner))
       list(member, belief * shareOf(decision, member.hypothesis.name));
     for (const auto& [name, pair] : tiedPairs(decision)) {

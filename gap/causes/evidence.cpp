@@ -14,17 +14,6 @@ int simulatedFrames(const Evidence& evidence, const ReplaySample& sample) {
   return std::min({evidence.most_frames, std::max(3, sample.frames), std::max(3, affordable)});
 }
 
-std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence) {
-  std::vector<Comparison> comparisons;
-  for (const std::size_t s : evidence.samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    const int frames = simulatedFrames(evidence, sample);
-    comparisons.push_back(
-        {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed), frames});
-  }
-  return comparisons;
-}
-
 /// Discrepancy once the simulated surfaces stand where they fit best, with the price of that.
 double settled(const Replay& replay, const World& world, std::vector<Comparison> comparisons, Part part) {
   const double price = settle(replay, world, comparisons, part);
@@ -42,6 +31,17 @@ Evidence spreadOver(const Evidence& evidence, std::size_t most_samples, int most
     few.samples.push_back(evidence.samples[i * (evidence.samples.size() - 1) / (most_samples - 1)]);
   }
   return few;
+}
+
+std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence) {
+  std::vector<Comparison> comparisons;
+  for (const std::size_t s : evidence.samples) {
+    const ReplaySample& sample = replay.samples()[s];
+    const int frames = simulatedFrames(evidence, sample);
+    comparisons.push_back(
+        {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, evidence.seed), frames});
+  }
+  return comparisons;
 }
 
 World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {

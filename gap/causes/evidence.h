@@ -46,6 +46,9 @@ class SimulatedWorld {
   std::vector<Comparison> comparisons_;
 };
 
+/// An evidence's samples as they were measured, beside a world under the evidence's seed.
+[[nodiscard]] std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence);
+
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
 

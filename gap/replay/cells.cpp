@@ -181,6 +181,7 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   const double step_m = std::max(settings.detection.range_resolution_m, settings.counters.range_m);
   const double noise_m = settings.detection.range_noise_m;
   tolerance_m_ = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
+  if (settings.detection.range_mode == model::RangeMode::kLeadingEdge) half_pulse_m_ = width_m / 2.0;
   if (pooled_) {
     cells_ = {{.object = 0}};
     surfaces_ = 1;
@@ -234,6 +235,18 @@ std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
   return best;
 }
 
+// The leading edge lies FWHM/2 · sqrt(log2(P/P_th)) before the peak (formats.md section 3), and noise of the receiver
+// and speckle move the power of a shot: of an echo near the threshold the edge walks by several times the range noise.
+double CellLayout::toleranceOf_m(const Cell& surface) const {
+  constexpr double kPowerMayBe = 2.0;  // times as much or as little: 8 looks of speckle, at three standard deviations
+  const auto edgeBeforePeak_m = [&](double over_threshold) {
+    return half_pulse_m_ * std::sqrt(std::max(0.0, std::log2(over_threshold)));
+  };
+  const double over_threshold = std::max(1.0, surface.power_over_threshold);
+  return std::max(tolerance_m_,
+                  edgeBeforePeak_m(over_threshold * kPowerMayBe) - edgeBeforePeak_m(over_threshold / kPowerMayBe));
+}
+
 void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
                      const std::array<double, kChannels>& values) const {
   CellStatistics& s = statistics[cell];
@@ -256,10 +269,11 @@ std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) c
     if (by_cell.of(c).size() < kFewForAMedian) continue;
     ranges.clear();
     for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
-    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, tolerance_m_);
+    const double least_m = toleranceOf_m(cells_[c]);
+    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, least_m);
     const double median = medianOf(ranges);
     for (double& range : ranges) range = std::abs(range - median);
-    const double tolerance = std::max(tolerance_m_, kOutlier * kNormalMad * medianOf(ranges));
+    const double tolerance = std::max(least_m, kOutlier * kNormalMad * medianOf(ranges));
     for (const std::uint32_t i : by_cell.of(c)) {
       if (std::abs(values[i].of[kRange] - median) > tolerance) cell_of[i] = surfaces_ + values[i].beam;
     }

@@ -54,8 +54,9 @@ struct CellStatistics {
 };
 
 /// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam. A detection that
-/// lies far from its cell's median (six standard deviations, estimated from the median deviation) was not made by the
-/// surface and counts as extra: one false echo would otherwise move the mean of a cell by more than its error.
+/// lies far from its cell's median (six standard deviations, estimated from the median deviation, and farther than the
+/// edge of a weak echo walks) was not made by the surface and counts as extra: one false echo would otherwise move the
+/// mean of a cell by more than its error.
 class CellLayout {
  public:
   CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
@@ -93,15 +94,18 @@ class CellLayout {
                                             const std::vector<std::uint32_t>& beam_of) const;
   [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<Value>& values) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
+  /// How far apart the echoes of one surface may lie.
+  [[nodiscard]] double toleranceOf_m(const Cell& surface) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell,
            const std::array<double, kChannels>& values) const;
 
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
-  double reach_m_ = 0.0;      ///< farther from every anchor a detection is extra
-  double tolerance_m_ = 0.0;  ///< nearer to its cell's median a detection is no outlier, however calm the cell is
-  bool pooled_ = false;       ///< directions were not recorded: everything is one cell
+  double reach_m_ = 0.0;       ///< farther from every anchor a detection is extra
+  double tolerance_m_ = 0.0;   ///< nearer to its cell's median a detection is no outlier, however calm the cell is
+  double half_pulse_m_ = 0.0;  ///< half the pulse's length, of a sensor that reports the leading edge; else 0
+  bool pooled_ = false;        ///< directions were not recorded: everything is one cell
 };
 
 /// The beam of every detection: the nearest of its layer in azimuth. Throws InputError if a layer does not exist in

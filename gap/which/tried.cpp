@@ -98,12 +98,8 @@ Tried told(const Judge& judge, const Candidate& candidate, std::size_t rank) {
 
 MeansApart meansApart(const Replay& replay, const World& world, const Evidence& fitted) {
   MeansApart means;
-  for (const std::size_t s : fitted.samples) {
-    const ReplaySample& sample = replay.samples()[s];
-    const int frames = std::min(fitted.most_frames, std::max(3, sample.frames));
-    addCells(replay, {s, sample.statistics, sample.frames, replay.simulate(world, s, frames, fitted.seed), frames},
-             fitted.part, means);
-  }
+  for (const Comparison& comparison : comparisonsOf(replay, world, fitted))
+    addCells(replay, comparison, fitted.part, means);
   return means;
 }
 

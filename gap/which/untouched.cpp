@@ -19,14 +19,14 @@ constexpr Aspects kNothing{.existence = false, .means = {}, .spreads = {}};
 /// The baseline on some evidence, beside what was measured and beside another world under the same random numbers.
 class Beside {
  public:
-  Beside(const Replay& replay, const World& world, const Evidence& evidence) : replay_(replay), part_(evidence.part) {
-    for (const std::size_t s : evidence.samples) {
-      const ReplaySample& sample = replay.samples()[s];
-      const int frames = std::min(evidence.most_frames, std::max(3, sample.frames));
-      auto baseline = replay.simulate(replay.baseline(), s, frames, evidence.seed);
-      auto moved = replay.simulate(world, s, frames, evidence.seed);
-      to_measured_.push_back({s, sample.statistics, sample.frames, std::move(baseline), frames});
-      to_world_.push_back({s, to_measured_.back().simulated, frames, std::move(moved), frames});
+  Beside(const Replay& replay, const World& world, const Evidence& evidence)
+      : replay_(replay),
+        part_(evidence.part),
+        to_measured_(comparisonsOf(replay, replay.baseline(), evidence)),
+        to_world_(comparisonsOf(replay, world, evidence)) {
+    for (std::size_t i = 0; i < to_world_.size(); ++i) {
+      to_world_[i].measured = to_measured_[i].simulated;
+      to_world_[i].measured_frames = to_measured_[i].simulated_frames;
     }
   }
 

@@ -175,6 +175,10 @@ struct Echo {
   double epw_m = 0.0;           ///< c · width, not halved
   double peak_w = 0.0;          ///< of s(t) + n
   Fate fate = Fate::kDetected;  ///< an effect that drops an echo says why; nobody behind it sees the echo
+  double noise_w = 0.0;         ///< n in its peak
+
+  /// Of s(t) alone.
+  [[nodiscard]] double signal_w() const { return peak_w - noise_w; }
 };
 
 /// One effect of the library, switched on with its parameters. Hooks that an effect does not need stay empty; those

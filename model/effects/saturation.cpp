@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/physics.h"
 #include "model/effects/declarations.h"
+#include "model/sensor/saturation_knee.h"
 
 namespace model::effects {
 
@@ -17,18 +17,9 @@ namespace {
 ///
 /// and with range at the centre of the crossings r' = r + c/4 · τ ln(P/P_sat); peak and leading edge stay. (What the
 /// receiver cannot see meanwhile is dead-time's.) The recovery is that of a first-order stage.
-/// An amplifier may bend long before it clips. With a knee of sharpness n (Rapp 1991, n = 2p)
-///
-///   P_out = P / (1 + (P/P_sat)^n)^(1/n),
-///
-/// which is min(P, P_sat) for n → ∞. The comparator sees the bent waveform, which crosses the threshold P_th where the
-/// received one crosses
-///
-///   P_th' = P_th / (1 - (P_th/P_sat)^n)^(1/n),
-///
-/// the inverse of the above: echoes are as wide as under that threshold.
-/// Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform receivers); Rapp
-/// 1991, Proc. 2nd European Conf. on Satellite Communications, ESA SP-332, pp. 179-184 (the knee).
+/// An amplifier may bend long before it clips, with a knee of some sharpness; noise comes behind it
+/// (saturation_knee.h). Source: Wagner et al. 2006, doi:10.1016/j.isprsjprs.2005.12.001 (dynamic range of full-waveform
+/// receivers); Rapp 1991, Proc. 2nd European Conf. on Satellite Communications, ESA SP-332, pp. 179-184 (the knee).
 class Saturation final : public Effect {
  public:
   explicit Saturation(const EffectParameters& parameters)
@@ -39,10 +30,7 @@ class Saturation final : public Effect {
   void prepare(ChainSettings& settings, const Environment&) override {
     Receiver& receiver = settings.receiver;
     if (saturation_w_) receiver.saturation_w = saturation_w_;
-    if (!knee_sharpness_ || !receiver.saturation_w) return;
-    constexpr double kMost = 0.999;  // of the power at which it clips: from there on hardly an echo is left
-    const double n = *knee_sharpness_, ratio = std::min(kMost, receiver.threshold_w / *receiver.saturation_w);
-    receiver.threshold_w /= std::pow(1.0 - std::pow(ratio, n), 1.0 / n);
+    receiver.knee_sharpness = knee_sharpness_.value_or(std::numeric_limits<double>::infinity());
   }
   [[nodiscard]] bool changesEchoes() const override { return true; }
   [[nodiscard]] double processesAbove_w(const Receiver& receiver) const override {
@@ -52,20 +40,16 @@ class Saturation final : public Effect {
   }
   void process(Echo& echo, const Receiver& receiver, const ChainSettings& settings) const override {
     if (!receiver.saturation_w) return;
-    const double most_w = *receiver.saturation_w, ratio = echo.peak_w / most_w;
+    const double ratio = echo.signal_w() / *receiver.saturation_w;
     if (ratio > 1.0 && recovery_ns_ > 0.0) {
       const double later_m = core::kMetresPerNanosecond * recovery_ns_ * std::log(ratio);
       echo.epw_m += later_m;
       if (settings.detection.range_mode == RangeMode::kCentre) echo.range_m += later_m / 4.0;
     }
-    echo.peak_w = knee_sharpness_ ? bent_w(echo.peak_w, most_w) : std::min(echo.peak_w, most_w);
+    echo.peak_w = outputOf_w(echo.signal_w(), receiver) + echo.noise_w;
   }
 
  private:
-  [[nodiscard]] double bent_w(double power_w, double most_w) const {
-    const double n = *knee_sharpness_, least = std::min(power_w, most_w), other = std::max(power_w, most_w);
-    return least / std::pow(1.0 + std::pow(least / other, n), 1.0 / n);  // of the ratio that cannot overflow
-  }
   std::optional<double> saturation_w_;
   double recovery_ns_;
   std::optional<double> knee_sharpness_;

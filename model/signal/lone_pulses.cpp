@@ -6,24 +6,41 @@
 #include "core/bulk_math.h"
 #include "core/multiversion.h"
 #include "core/physics.h"
+#include "model/sensor/saturation_knee.h"
 
 namespace model {
 
 namespace {
 
-/// Power over the level that it must exceed, and the noisy peak.
-FIDELIS_FOR_EVERY_PROCESSOR void ratiosOf(std::size_t count, double threshold_w,
-                                          const double* __restrict noise_stddev_w, const double* __restrict power_w,
-                                          const double* __restrict gain, const float* __restrict noise,
-                                          double* __restrict ratio, double* __restrict peak_w,
-                                          double* __restrict log_argument) {
+/// The noise, and the output that it leaves to the signal to exceed.
+FIDELIS_FOR_EVERY_PROCESSOR void outputsOf(std::size_t count, double threshold_w,
+                                           const double* __restrict noise_stddev_w, const float* __restrict noise,
+                                           double* __restrict noise_w, double* __restrict output_w) {
   const double most_w = kLargestNoise * threshold_w;
   for (std::size_t i = 0; i < count; ++i) {
     const double drawn_w = noise_stddev_w[i] * static_cast<double>(noise[i]);
-    const double noise_w = drawn_w < most_w ? drawn_w : most_w;
+    noise_w[i] = drawn_w < most_w ? drawn_w : most_w;
+    output_w[i] = threshold_w - noise_w[i];
+  }
+}
+
+/// The same, as received powers.
+void levelsOf(std::size_t count, const Receiver& receiver, const double* noise_stddev_w, const float* noise,
+              double* noise_w, double* level_w) {
+  outputsOf(count, receiver.threshold_w, noise_stddev_w, noise, noise_w, level_w);
+  if (!receiver.knee_sharpness) return;
+  for (std::size_t i = 0; i < count; ++i) level_w[i] = receivedFor_w(level_w[i], receiver);
+}
+
+/// Power over the level that it must exceed, and the noisy peak.
+FIDELIS_FOR_EVERY_PROCESSOR void ratiosOf(std::size_t count, const double* __restrict level_w,
+                                          const double* __restrict power_w, const double* __restrict gain,
+                                          const double* __restrict noise_w, double* __restrict ratio,
+                                          double* __restrict peak_w, double* __restrict log_argument) {
+  for (std::size_t i = 0; i < count; ++i) {
     peak_w[i] = gain[i] * power_w[i];
-    ratio[i] = peak_w[i] / (threshold_w - noise_w);
-    peak_w[i] += noise_w;
+    ratio[i] = peak_w[i] / level_w[i];
+    peak_w[i] += noise_w[i];
     log_argument[i] = ratio[i] > 1.0 ? ratio[i] : 1.0;
   }
 }
@@ -67,9 +84,10 @@ double toStep(double value, double step) { return step > 0.0 ? std::floor(value 
 
 std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const ChainSettings& settings, double gain,
                              const ShotNoise& noise) {
-  double ratio = 0.0, log = 0.0;
+  double level_w = 0.0, ratio = 0.0, log = 0.0;
   Echo echo;
-  ratiosOf(1, receiver.threshold_w, &receiver.noise_w, &pulse.power_w, &gain, &noise.power, &ratio, &echo.peak_w, &log);
+  levelsOf(1, receiver, &receiver.noise_w, &noise.power, &echo.noise_w, &level_w);
+  ratiosOf(1, &level_w, &pulse.power_w, &gain, &echo.noise_w, &ratio, &echo.peak_w, &log);
   if (!(ratio > 1.0)) return std::nullopt;
   core::log2Of(std::span(&log, 1), std::span(&log, 1));
   widthsOf(1, widthOf_m(settings), edgeOf(settings), &log, &pulse.range_m, &echo.range_m, &echo.epw_m);
@@ -78,11 +96,12 @@ std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const
 
 void LonePulses::fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain) {
   const std::size_t count = size();
-  for (auto* column : {&ratio_, &log_, &range_m_, &epw_m_, &peak_w_}) column->resize(count);
+  for (auto* column : {&power_noise_w_, &level_w_, &ratio_, &log_, &range_m_, &epw_m_, &peak_w_}) column->resize(count);
   for (auto& column : noise_) column.resize(count);
   core::normalsOf(frame, beam_, 0, {noise_[0], noise_[1], noise_[2], noise_[3]});
-  ratiosOf(count, settings.receiver.threshold_w, noise_w_.data(), power_w_.data(), gain.data(), noise_[0].data(),
-           ratio_.data(), peak_w_.data(), log_.data());
+  levelsOf(count, settings.receiver, noise_w_.data(), noise_[0].data(), power_noise_w_.data(), level_w_.data());
+  ratiosOf(count, level_w_.data(), power_w_.data(), gain.data(), power_noise_w_.data(), ratio_.data(), peak_w_.data(),
+           log_.data());
   core::log2Of(log_, log_);
   widthsOf(count, widthOf_m(settings), edgeOf(settings), log_.data(), pulse_range_m_.data(), range_m_.data(),
            epw_m_.data());

@@ -12,7 +12,7 @@ namespace model {
 /// Beams whose received signal is one pulse: most of them. Their echoes have a closed form (formats.md section 3), so
 /// many are worked out at once, column by column; the same numbers come out as from a waveform.
 ///
-///   half width  h = FWHM/2 · sqrt(log2(P/level)),  level = (P_th - n) / gain
+///   half width  h = FWHM/2 · sqrt(log2(P/level)),  level = (P_th - n) / gain (P_th - n as saturation_knee.h has it)
 ///   range       r, or r - h at the leading edge;   EPW = 4 h on the one-way axis
 class LonePulses {
  public:
@@ -37,8 +37,11 @@ class LonePulses {
   void fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain);
   /// Whether the last shot of beam i was above the threshold, and its echo.
   [[nodiscard]] bool detected(std::size_t i) const { return ratio_[i] > 1.0; }
-  [[nodiscard]] double peak_w(std::size_t i) const { return peak_w_[i]; }
-  [[nodiscard]] Echo echo(std::size_t i) const { return {range_m_[i], epw_m_[i], peak_w_[i]}; }
+  /// Peak of what was received, without noise.
+  [[nodiscard]] double signal_w(std::size_t i) const { return peak_w_[i] - power_noise_w_[i]; }
+  [[nodiscard]] Echo echo(std::size_t i) const {
+    return {range_m_[i], epw_m_[i], peak_w_[i], Fate::kDetected, power_noise_w_[i]};
+  }
   /// One that is no longer detected is forgotten.
   void setEcho(std::size_t i, const Echo& echo) {
     range_m_[i] = echo.range_m;
@@ -58,7 +61,7 @@ class LonePulses {
 
   std::vector<std::uint32_t> beam_;
   std::vector<double> pulse_range_m_, power_w_, noise_w_;
-  std::vector<double> ratio_, log_, range_m_, epw_m_, peak_w_;
+  std::vector<double> power_noise_w_, level_w_, ratio_, log_, range_m_, epw_m_, peak_w_;
   std::vector<float> noise_[4];
 };
 

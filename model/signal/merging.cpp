@@ -12,6 +12,7 @@ void join(Stretch& into, const Stretch& other) {
   into.fall_m = std::max(into.fall_m, other.fall_m);
   if (other.peak_w <= into.peak_w) return;
   into.peak_w = other.peak_w;
+  into.noise_w = other.noise_w;
   into.peak_m = other.peak_m;
 }
 
@@ -19,7 +20,7 @@ void join(Stretch& into, const Stretch& other) {
 Stretch stretchOf(const Echo& echo, RangeMode mode) {
   const double width_m = echo.epw_m / 2.0;  // EPW is not halved
   const double rise_m = mode == RangeMode::kLeadingEdge ? echo.range_m : echo.range_m - 0.5 * width_m;
-  return {rise_m, rise_m + width_m, echo.range_m, echo.peak_w};
+  return {rise_m, rise_m + width_m, echo.range_m, echo.peak_w, echo.noise_w};
 }
 
 }  // namespace
@@ -54,6 +55,7 @@ Echo echoOf(const Stretch& stretch, RangeMode mode) {
   }
   echo.epw_m = 2.0 * (stretch.fall_m - stretch.rise_m);  // r = c t / 2, so c·Δt = 2·Δr
   echo.peak_w = stretch.peak_w;
+  echo.noise_w = stretch.noise_w;
   return echo;
 }
 

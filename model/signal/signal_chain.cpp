@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "core/physics.h"
+#include "model/sensor/saturation_knee.h"
 #include "model/signal/merging.h"
 
 namespace model {
@@ -197,7 +198,7 @@ double addStretches(const WaveformPart& part, double level_w, const Fluctuation&
                     std::vector<Stretch>& out) {
   const bool apart = part.mixed() && fluctuation.of_surfaces != 1.0;
   const double gain = part.ofSurface() && !apart ? fluctuation.ofSurface() : fluctuation.of_all;
-  if (gain <= 0.0) return gain;
+  if (gain <= 0.0 || std::isinf(level_w)) return gain;
   const double least_w = std::max(level_w / gain, part.lowest_level_w());
   if (apart) {
     part.withSurfacesAt(fluctuation.of_surfaces).stretchesAbove(least_w, out);
@@ -230,9 +231,11 @@ void SignalChain::listenTo(const std::vector<WaveformPart>& parts, const Receive
     const double noise_w = std::min(drawn_w, kLargestNoise * receiver.threshold_w);
     if (record) record->noise_w.push_back(noise_w);
     scratch.of_part.clear();
-    const double gain = addStretches(part, receiver.threshold_w - noise_w, fluctuation, scratch.of_part);
+    const double level_w = receivedFor_w(receiver.threshold_w - noise_w, receiver);
+    const double gain = addStretches(part, level_w, fluctuation, scratch.of_part);
     for (Stretch& stretch : scratch.of_part) {
       stretch.peak_w = gain * stretch.peak_w + noise_w;  // from here on with noise, so that merged echoes keep it
+      stretch.noise_w = noise_w;
       scratch.stretches.push_back(stretch);
     }
   }
@@ -361,7 +364,7 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
     for (const Effect* effect : echo_effects_) {
       const double least_w = effect->processesAbove_w(settings_.receiver);
       for (std::size_t i = 0; i < lone.size(); ++i) {
-        if (!lone.detected(i) || lone.peak_w(i) <= least_w) continue;
+        if (!lone.detected(i) || lone.signal_w(i) <= least_w) continue;
         Echo echo = lone.echo(i);
         effect->process(echo, settings_.receiver, settings_);
         lone.setEcho(i, echo);

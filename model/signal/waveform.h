@@ -14,7 +14,8 @@ struct Stretch {
   double rise_m = 0.0;
   double fall_m = 0.0;
   double peak_m = 0.0;
-  double peak_w = 0.0;  ///< of the noise-free signal
+  double peak_w = 0.0;   ///< of the noise-free signal
+  double noise_w = 0.0;  ///< that has been added to it
 };
 
 /// What every pulse looks like on the range axis.

@@ -1,5 +1,6 @@
 #include "gap/replay/cells.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>
@@ -79,6 +80,35 @@ TEST(Cells, OfASurfaceKeepTheEchoesNearestToItWhereEveryShotSeesAFalseTargetToo)
 // Where hardly any echo comes from where the surface is recorded, it stands elsewhere.
 TEST(Cells, OfASurfaceKeepTheEchoesThatComeOftenWhereverTheyComeFrom) {
   EXPECT_EQ(keptBesideAFalseTarget(0.6, 2, 14), std::pair(0, 14));
+}
+
+/// Echoes near the threshold, two thirds of them 0.3 m before the surface and a third 0.15 m: how many its cell keeps.
+int keptNearTheThreshold(const char* range_mode) {
+  const SmallWorld world;
+  model::LidarModel model = SmallWorld::modelWith({});
+  model.json["sensor"]["detection"]["range_mode"] = range_mode;
+  model = model::parseModel(model.json, model.file);
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const double over_threshold =
+      gap::Replay(experiment, model).samples().front().layout->cells().front().power_over_threshold;
+  nlohmann::json& threshold_w = model.json["sensor"]["receiver"]["threshold_w"];
+  threshold_w = threshold_w.get<double>() * over_threshold / 2.0;
+  model = model::parseModel(model.json, model.file);
+  const gap::Replay replay(experiment, model);
+  const gap::CellLayout& layout = *replay.samples().front().layout;
+  std::vector<model::Shot> shots(9);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    shots[i].beam = layout.cells().front().beam;
+    shots[i].range_m = layout.cells().front().anchor_m - (i < 6 ? 0.3 : 0.15) + 0.001 * static_cast<double>(i);
+  }
+  const auto cells = layout.cellsOf(shots);
+  return static_cast<int>(std::count(cells.begin(), cells.end(), std::size_t{0}));
+}
+
+// A pulse of 0.67 m whose peak is twice the threshold passes it 0.33 m before the peak, one of 1.2 times 0.17 m.
+TEST(Cells, OfASurfaceKeepWeakEchoesWhoseLeadingEdgeWalks) {
+  EXPECT_EQ(keptNearTheThreshold("leading-edge"), 9);
+  EXPECT_EQ(keptNearTheThreshold("peak"), 3) << "a peak does not walk: those nearest to the surface are its own";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/model/effects/effect_bench.h"
+#include "tests/model/effects/shot_bench.h"
 
 namespace model {
 namespace {
@@ -119,6 +120,35 @@ TEST(Saturation, ASoftKneeBendsBeforeItClips) {
     for (int i = 0; i < 60; ++i)
       (bend(0.5 * (low_w + high_w)) < lab::kThreshold_w ? low_w : high_w) = 0.5 * (low_w + high_w);
     EXPECT_NEAR(bent.epw_m.at(0), lab::epwLaw(power_w, low_w), 1e-6) << most_w;
+  }
+}
+
+// What clips is s(t), and n comes to it (formats.md section 3, steps 4 and 5): capped echoes still scatter.
+TEST(Saturation, NoiseComesBehindTheCap) {
+  constexpr double kNoise_nw = 5.0;
+  constexpr int kShots = 2000;
+  lab::Case setup = lab::boardWith(5, "saturation", {{"saturation_w", 1e-7}});
+  setup.sensor["receiver"]["noise_w"] = 1e-9 * kNoise_nw;
+  setup.frames = kShots;
+  const auto capped = lab::fire(setup).intensity;
+  ASSERT_EQ(capped.size(), static_cast<std::size_t>(kShots));
+  EXPECT_NEAR(lab::mean(capped), 100.0, 4 * kNoise_nw / std::sqrt(kShots));
+  EXPECT_NEAR(lab::deviation(capped) / kNoise_nw, 1.0, 4 / std::sqrt(2.0 * kShots));
+}
+
+// A bent pulse crosses the threshold less steeply: the received power at which it does is that which the knee bends to
+// P_th - n.
+TEST(Saturation, NoiseMovesTheEdgesOfABentPulseFurther) {
+  const double power_w = lab::radarEquation(5), most_w = 1.2 * lab::kThreshold_w;
+  lab::Case setup = lab::boardWith(5, "saturation", {{"saturation_w", most_w}, {"knee_sharpness", 3.0}});
+  setup.sensor["receiver"]["noise_w"] = 0.05 * lab::kThreshold_w;
+  const lab::ShotBench bench(setup);
+  for (int frame = 0; frame < 20; ++frame) {
+    const ShotRecord shot = bench.shot(frame);
+    ASSERT_EQ(shot.echoes.size(), 1u);
+    const double output_w = lab::kThreshold_w - shot.noise_w.at(0);
+    const double received_w = output_w / std::cbrt(1.0 - std::pow(output_w / most_w, 3.0));
+    EXPECT_NEAR(shot.echoes.at(0).epw_m, lab::epwLaw(power_w, received_w), 1e-6) << frame;
   }
 }
 
