@@ -12,6 +12,7 @@
 #include "gap/which/naming_pairs.h"
 #include "gap/which/same_sector.h"
 #include "gap/which/significance.h"
+#include "gap/which/twins.h"
 #include "gap/which/whole_gap.h"
 
 namespace gap {
@@ -51,6 +52,7 @@ std::vector<Candidate> rankedAlone(const Judge& quick, const Judge& exact, const
   withoutErrors();
   takeWhatIsCounted(exact, where, singles, progress);
   polish(exact, gaps, singles, where, progress);
+  takeValuesOfTwins(quick, exact, singles, progress);
   if (withoutErrors() > 0) polish(exact, gaps, singles, where, progress);  // better values may be within what is known
   return singles;
 }
