@@ -202,8 +202,11 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   }
   surfaces_ = cells_.size();
   const std::vector<bool> at_edge = edgesOf(hits, sole);
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b)
-    cells_.push_back({.beam = b, .share = shareOfSecondWays(hits, b), .at_edge = at_edge[b]});
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    const double share = shareOfSecondWays(hits, b);
+    const bool partly = share > 0.0 && share < kWholeBeam;
+    cells_.push_back({.beam = b, .share = share, .at_edge = at_edge[b] || partly});
+  }
 }
 
 std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) const {

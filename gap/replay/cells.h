@@ -36,7 +36,7 @@ struct Cell {
   double share = 1.0;  ///< of the beam, that meets the surface; of extra cells, that goes on behind panes or mirrors
   /// Two programs never agree on it. Of a surface: the beam is not wholly on it, or grazes it so flatly that what it
   /// meets lies farther apart than the pulse is long. Of what is unexpected: the beam, or the next one of its layer, is
-  /// not wholly on one surface or on none.
+  /// not wholly on one surface or on none, or what it meets behind a pane or by way of a mirror ends within it.
   bool at_edge = false;
 };
 

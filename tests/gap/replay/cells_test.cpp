@@ -47,6 +47,28 @@ TEST(Cells, ThatABeamGrazesAreAtAnEdgeWhereTheyAreLongerThanThePulse) {
     EXPECT_EQ(cell.at_edge, cell.share < gap::kWholeBeam) << "0.03 m long";
 }
 
+// Wholly on the pane, but the wall behind it ends within some beams.
+TEST(Cells, WhereAWallEndsBehindAPaneAreAtAnEdge) {
+  SmallWorld world;
+  world.withAWallOf(1.4).behindAPane(2.0);
+  const model::LidarModel model = SmallWorld::modelWith({{"transmission", nlohmann::json::object()}});
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const gap::Replay replay(experiment, model, {.most_beams = 1000});
+  const gap::CellLayout& layout = *replay.samples().front().layout;
+  std::size_t partly = 0, inside = 0;
+  for (std::size_t c = layout.surfaces(); c < layout.cells().size(); ++c) {
+    const gap::Cell& cell = layout.cells()[c];
+    if (cell.share >= gap::kWholeBeam) {
+      inside += cell.at_edge ? 0 : 1;
+    } else if (cell.share > 0.0) {
+      EXPECT_TRUE(cell.at_edge) << "share " << cell.share;
+      ++partly;
+    }
+  }
+  EXPECT_GT(partly, 0U);
+  EXPECT_GT(inside, 0U);
+}
+
 /// Of two echoes in every shot, the surface's own and one so far behind it, some of which are lost: how many of either
 /// the surface's cell keeps.
 std::pair<int, int> keptBesideAFalseTarget(double behind_m, int own, int others) {
