@@ -150,16 +150,29 @@ std::vector<double> refineOne(const Objective& objective, double start, double r
   return {start};
 }
 
+/// A number that stays where it is, in the unit cube.
+struct Held {
+  std::size_t index;
+  double unit;
+};
+
 struct OptimiserCall {
   const Objective* objective;
+  std::optional<Held> held;
   std::exception_ptr error;
   nlopt_opt optimiser;
+
+  [[nodiscard]] std::vector<double> unitOf(std::vector<double> place) const {
+    std::vector<double> unit = objective->edges().unitOf(std::move(place));
+    if (held) unit[held->index] = held->unit;
+    return unit;
+  }
 };
 
 double onTrial(unsigned n, const double* x, double*, void* data) {
   auto& call = *static_cast<OptimiserCall*>(data);
   try {
-    return (*call.objective)(call.objective->edges().unitOf({x, x + n}));
+    return (*call.objective)(call.unitOf({x, x + n}));
   } catch (...) {
     call.error = std::current_exception();  // must not pass through C
     nlopt_force_stop(call.optimiser);
@@ -177,10 +190,11 @@ struct Search {
   double least_gain = 0.0;
 };
 
-Point searchedBy(const Search& search, const Objective& objective, std::vector<double> start) {
+Point searchedBy(const Search& search, const Objective& objective, std::vector<double> start,
+                 std::optional<Held> held = std::nullopt) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(search.algorithm, n), nlopt_destroy);
-  OptimiserCall call{&objective, nullptr, optimiser.get()};
+  OptimiserCall call{&objective, held, nullptr, optimiser.get()};
   nlopt_set_min_objective(optimiser.get(), onTrial, &call);
   for (unsigned i = 0; i < n; ++i) {
     const double beyond = objective.edges().isEdge(i) ? 0.5 : 0.0;
@@ -197,7 +211,7 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
   double best = 0.0;
   nlopt_optimize(optimiser.get(), place.data(), &best);
   if (call.error) std::rethrow_exception(call.error);
-  return {objective.edges().unitOf(std::move(place)), best};
+  return {call.unitOf(std::move(place)), best};
 }
 
 /// Subplex, which a rugged objective does not lead astray, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308),
@@ -220,6 +234,26 @@ Point refineSeveral(const Objective& objective, const std::vector<double>& start
     if (gained > 0.0) refined = std::move(further);
   }
   return refined;
+}
+
+/// A count is one more or one less at once, and the other numbers follow it: no small step leads there. Goes on while
+/// that leads on.
+Point withOtherCounts(const Objective& objective, Point best, const Reach& reach) {
+  constexpr int kMostSteps = 6;
+  for (const std::size_t count : objective.counts()) {
+    for (const double one : {1.0, -1.0}) {
+      for (int step = 0; step < kMostSteps; ++step) {
+        std::vector<double> values = objective.valuesAt(best.unit);
+        values[count] += one;
+        const std::vector<double> start = objective.unitOf(values);
+        Point other =
+            searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start, Held{count, start[count]});
+        if (other.discrepancy >= best.discrepancy) break;
+        best = std::move(other);
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -245,6 +279,13 @@ std::vector<double> Objective::firstSteps(double step) const {
     steps.push_back(angle ? kUsualStep_deg * step / kUsualStep / (p.high - p.low) : step);
   }
   return steps;
+}
+
+std::vector<std::size_t> Objective::counts() const {
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < hypothesis_.parameters.size(); ++i)
+    if (hypothesis_.parameters[i].whole) counts.push_back(i);
+  return counts;
 }
 
 bool smooth(const Hypothesis& hypothesis) {
@@ -297,7 +338,7 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
 
 std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
-  const Point refined = refineSeveral(objective, start, reach);
+  const Point refined = withOtherCounts(objective, refineSeveral(objective, start, reach), reach);
   // A rugged objective may lead the refinement astray.
   return objective.valuesAt(refined.discrepancy < objective(start) ? refined.unit : start);
 }

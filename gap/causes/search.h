@@ -28,6 +28,8 @@ class Objective {
   /// their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
   [[nodiscard]] bool smooth() const { return gap::smooth(hypothesis_); }
+  /// Which of its numbers are whole.
+  [[nodiscard]] std::vector<std::size_t> counts() const;
   /// Whether other numbers send the rays other ways: then every look takes long.
   [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const;
   [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
@@ -67,8 +69,8 @@ struct Reach {
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.
 inline constexpr int kLineBits = 13;
 
-/// The values that a bounded search around a place ends with (Brent on a line, else Subplex and Nelder-Mead of NLopt),
-/// never worse than the start.
+/// The values that a bounded search around a place ends with (Brent on a line, else Subplex and Nelder-Mead of NLopt;
+/// counts one by one beyond it), never worse than the start.
 [[nodiscard]] std::vector<double> searched(const Objective& objective, const std::vector<double>& start,
                                            const Reach& reach);
 

@@ -384,6 +384,25 @@ TEST_F(Search, FitsCountsAsWholeNumbers) {
   EXPECT_EQ(gap::resolvedAt(bits->parameters[0], 9.0), 0.5);
 }
 
+// The wall stands four steps of 0.1 m too far and all ranges are 0.5 m too long. The ranges alone may be eight steps
+// and 0.1 m, too: one step less makes them wrong by 0.1 m, and only with an offset that is larger by as much it tells
+// what the power does, that the wall is nearer.
+TEST_F(Search, TriesACountLessWithWhatGoesWithIt) {
+  std::map<std::string, double> moved;
+  for (const char* sample : {"r8", "r13", "r19", "r27", "r36", "r46"}) moved[sample] = 4 * 0.1;
+  measure({{"range-offset", {{"offset_m", 0.5}}}}, moved);
+  gap::Hypothesis both;
+  both.name = "steps and an offset";
+  both.parameters = {{.name = "steps", .low = 0.0, .high = 20.0, .whole = true}, {.name = "offset_m", .high = 1.0}};
+  both.apply = [](gap::World& world, const std::vector<double>& values) {
+    world.references.push_back({"/scene/0/pose/position_m/0", 0.1 * values[0], {}});
+    world.model = model::withEffect(world.model, {"range-offset", {{{"offset_m", values[1]}}, {}, {}}, {}});
+  };
+  const auto found = gap::fitFrom(*replay_, both, split_.fitted, {8.0, 0.1}, core::SilentProgress());
+  EXPECT_EQ(found[0], 4.0);
+  EXPECT_NEAR(found[1], 0.5, 0.004);
+}
+
 // By the few beams with which causes are chosen a blooming led by 0.5; by all beams it is nothing.
 TEST_F(Search, LooksAtFurtherCausesWhereAllBeamsSayLessOfTheFirst) {
   measure({{"range-offset", {{"offset_m", 0.1}}}});

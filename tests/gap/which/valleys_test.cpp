@@ -19,10 +19,15 @@ class Valleys : public testing::Test {
             std::move(values)};
   }
 
+  /// Of a receiver with next to no noise.
+  [[nodiscard]] static model::LidarModel modelWith(const SmallWorld::Effects& effects) {
+    return SmallWorld::modelWith(effects, {{"/sensor/receiver/noise_w", 1e-10}});
+  }
+
   SmallWorld world_;
-  model::Experiment measured_ = world_.measuredBy(
-      SmallWorld::modelWith({{"saturation", {{"saturation_w", 5e-6}, {"knee_sharpness", 4.0}}}}), 0.4);
-  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
+  model::Experiment measured_ =
+      world_.measuredBy(modelWith({{"saturation", {{"saturation_w", 5e-6}, {"knee_sharpness", 4.0}}}}), 0.4);
+  gap::Replay replay_{measured_, modelWith({})};
   gap::Judge judge_{replay_, gap::splitOf(replay_, 1), gap::yardstickOf(replay_, gap::splitOf(replay_, 1).held_out)};
   gap::Valleys valleys_{judge_};
 };
