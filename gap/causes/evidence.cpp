@@ -50,6 +50,16 @@ World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vec
   return world;
 }
 
+std::vector<Comparison> comparisonsTo(const std::vector<Comparison>& other, const Replay& replay, const World& world,
+                                      const Evidence& evidence) {
+  std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    comparisons[i].measured = other[i].simulated;
+    comparisons[i].measured_frames = other[i].simulated_frames;
+  }
+  return comparisons;
+}
+
 Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence, std::uint64_t seed) {
   std::vector<Comparison> simulated;
   for (const std::size_t s : evidence.samples) {

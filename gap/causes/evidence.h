@@ -49,6 +49,11 @@ class SimulatedWorld {
 /// An evidence's samples as they were measured, beside a world under the evidence's seed.
 [[nodiscard]] std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, const Evidence& evidence);
 
+/// The same beside what another world gave in place of what was measured: `other`, its comparisonsOf on the same
+/// evidence, to which they refer. Under the same random numbers one world is at no distance from itself.
+[[nodiscard]] std::vector<Comparison> comparisonsTo(const std::vector<Comparison>& other, const Replay& replay,
+                                                    const World& world, const Evidence& evidence);
+
 /// Discrepancy of a world on some evidence.
 [[nodiscard]] double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence);
 

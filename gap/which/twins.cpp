@@ -36,12 +36,7 @@ class WorldToMake {
         from_baseline_(distanceOf(replay_.baseline())) {}
 
   [[nodiscard]] double distanceOf(const World& world) const {
-    std::vector<Comparison> comparisons = comparisonsOf(replay_, world, evidence_);
-    for (std::size_t i = 0; i < comparisons.size(); ++i) {
-      comparisons[i].measured = made_[i].simulated;
-      comparisons[i].measured_frames = made_[i].simulated_frames;
-    }
-    return discrepancy(replay_, comparisons, evidence_.part);
+    return discrepancy(replay_, comparisonsTo(made_, replay_, world, evidence_), evidence_.part);
   }
 
   /// The value at which a cause of one number makes it, if there is one; not of causes that move rays, of which every

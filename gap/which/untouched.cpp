@@ -23,12 +23,7 @@ class Beside {
       : replay_(replay),
         part_(evidence.part),
         to_measured_(comparisonsOf(replay, replay.baseline(), evidence)),
-        to_world_(comparisonsOf(replay, world, evidence)) {
-    for (std::size_t i = 0; i < to_world_.size(); ++i) {
-      to_world_[i].measured = to_measured_[i].simulated;
-      to_world_[i].measured_frames = to_measured_[i].simulated_frames;
-    }
-  }
+        to_world_(comparisonsTo(to_measured_, replay, world, evidence)) {}
 
   /// Whether the world hardly differs from the baseline in these aspects.
   [[nodiscard]] bool alikeIn(const Aspects& aspects) const {
