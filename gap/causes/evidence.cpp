@@ -44,12 +44,6 @@ std::vector<Comparison> comparisonsOf(const Replay& replay, const World& world, 
   return comparisons;
 }
 
-World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
-  World world = replay.baseline();
-  hypothesis.apply(world, values);
-  return world;
-}
-
 std::vector<Comparison> comparisonsTo(const std::vector<Comparison>& other, const Replay& replay, const World& world,
                                       const Evidence& evidence) {
   std::vector<Comparison> comparisons = comparisonsOf(replay, world, evidence);
@@ -58,6 +52,12 @@ std::vector<Comparison> comparisonsTo(const std::vector<Comparison>& other, cons
     comparisons[i].measured_frames = other[i].simulated_frames;
   }
   return comparisons;
+}
+
+World worldOf(const Replay& replay, const Hypothesis& hypothesis, const std::vector<double>& values) {
+  World world = replay.baseline();
+  hypothesis.apply(world, values);
+  return world;
 }
 
 Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence, std::uint64_t seed) {

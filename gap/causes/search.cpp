@@ -214,15 +214,17 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
   return {call.unitOf(std::move(place)), best};
 }
 
-/// Subplex, which a rugged objective does not lead astray, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308),
-/// which follows the narrow valley that numbers of like effect make (how wet a surface is, and how flat the film),
-/// again and again while it leads on.
+/// Subplex, which a rugged objective does not lead astray.
+Search subplex(const Reach& reach) { return {NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}; }
+
+/// Subplex, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308), which follows the narrow valley that numbers of
+/// like effect make (how wet a surface is, and how flat the film), again and again while it leads on.
 Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   constexpr int kWalks = 3;
   constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
   constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
   constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
-  Point refined = searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start);
+  Point refined = searchedBy(subplex(reach), objective, start);
   if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
   const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * refined.discrepancy);
   double gained = leads_on;
@@ -246,8 +248,7 @@ Point withOtherCounts(const Objective& objective, Point best, const Reach& reach
         std::vector<double> values = objective.valuesAt(best.unit);
         values[count] += one;
         const std::vector<double> start = objective.unitOf(values);
-        Point other =
-            searchedBy({NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}, objective, start, Held{count, start[count]});
+        Point other = searchedBy(subplex(reach), objective, start, Held{count, start[count]});
         if (other.discrepancy >= best.discrepancy) break;
         best = std::move(other);
       }

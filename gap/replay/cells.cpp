@@ -90,6 +90,18 @@ void keepNearestGroup(std::vector<double>& ranges_m, double recorded_m, double a
   ranges_m.erase(ranges_m.begin(), ranges_m.begin() + static_cast<std::ptrdiff_t>(kept.first));
 }
 
+/// How far the leading edge of a surface's echoes walks from shot to shot. It lies FWHM/2 · sqrt(log2(P/P_th)) before
+/// the peak (formats.md section 3), and noise of the receiver and speckle move the power: near the threshold that is
+/// several times the range noise. `width_m`: FWHM.
+double edgeWalk_m(double width_m, double power_over_threshold) {
+  constexpr double kPowerMayBe = 2.0;  // times as much or as little: 8 looks of speckle, at three standard deviations
+  const auto beforePeak_m = [&](double over_threshold) {
+    return width_m / 2.0 * std::sqrt(std::max(0.0, std::log2(over_threshold)));
+  };
+  const double over_threshold = std::max(1.0, power_over_threshold);
+  return beforePeak_m(over_threshold * kPowerMayBe) - beforePeak_m(over_threshold / kPowerMayBe);
+}
+
 constexpr std::int32_t kNone = -1, kMixed = -2;
 
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
@@ -180,8 +192,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   reach_m_ = std::max(1.0, 2.0 * separation_m);
   const double step_m = std::max(settings.detection.range_resolution_m, settings.counters.range_m);
   const double noise_m = settings.detection.range_noise_m;
-  tolerance_m_ = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
-  if (settings.detection.range_mode == model::RangeMode::kLeadingEdge) half_pulse_m_ = width_m / 2.0;
+  const double by_noise_m = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
+  const bool edge = settings.detection.range_mode == model::RangeMode::kLeadingEdge;
   if (pooled_) {
     cells_ = {{.object = 0}};
     surfaces_ = 1;
@@ -197,6 +209,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
                         surface.weight, at_edge});
+      const double walk_m = edge ? edgeWalk_m(width_m, cells_.back().power_over_threshold) : 0.0;
+      tolerance_m_.push_back(std::max(by_noise_m, walk_m));
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
@@ -238,18 +252,6 @@ std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
   return best;
 }
 
-// The leading edge lies FWHM/2 · sqrt(log2(P/P_th)) before the peak (formats.md section 3), and noise of the receiver
-// and speckle move the power of a shot: of an echo near the threshold the edge walks by several times the range noise.
-double CellLayout::toleranceOf_m(const Cell& surface) const {
-  constexpr double kPowerMayBe = 2.0;  // times as much or as little: 8 looks of speckle, at three standard deviations
-  const auto edgeBeforePeak_m = [&](double over_threshold) {
-    return half_pulse_m_ * std::sqrt(std::max(0.0, std::log2(over_threshold)));
-  };
-  const double over_threshold = std::max(1.0, surface.power_over_threshold);
-  return std::max(tolerance_m_,
-                  edgeBeforePeak_m(over_threshold * kPowerMayBe) - edgeBeforePeak_m(over_threshold / kPowerMayBe));
-}
-
 void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
                      const std::array<double, kChannels>& values) const {
   CellStatistics& s = statistics[cell];
@@ -272,11 +274,10 @@ std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) c
     if (by_cell.of(c).size() < kFewForAMedian) continue;
     ranges.clear();
     for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
-    const double least_m = toleranceOf_m(cells_[c]);
-    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, least_m);
+    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, tolerance_m_[c]);
     const double median = medianOf(ranges);
     for (double& range : ranges) range = std::abs(range - median);
-    const double tolerance = std::max(least_m, kOutlier * kNormalMad * medianOf(ranges));
+    const double tolerance = std::max(tolerance_m_[c], kOutlier * kNormalMad * medianOf(ranges));
     for (const std::uint32_t i : by_cell.of(c)) {
       if (std::abs(values[i].of[kRange] - median) > tolerance) cell_of[i] = surfaces_ + values[i].beam;
     }

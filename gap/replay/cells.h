@@ -94,18 +94,15 @@ class CellLayout {
                                             const std::vector<std::uint32_t>& beam_of) const;
   [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<Value>& values) const;
   [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
-  /// How far apart the echoes of one surface may lie.
-  [[nodiscard]] double toleranceOf_m(const Cell& surface) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell,
            const std::array<double, kChannels>& values) const;
 
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
-  double reach_m_ = 0.0;       ///< farther from every anchor a detection is extra
-  double tolerance_m_ = 0.0;   ///< nearer to its cell's median a detection is no outlier, however calm the cell is
-  double half_pulse_m_ = 0.0;  ///< half the pulse's length, of a sensor that reports the leading edge; else 0
-  bool pooled_ = false;        ///< directions were not recorded: everything is one cell
+  double reach_m_ = 0.0;             ///< farther from every anchor a detection is extra
+  std::vector<double> tolerance_m_;  ///< of a surface: nearer to its cell's median a detection is no outlier
+  bool pooled_ = false;              ///< directions were not recorded: everything is one cell
 };
 
 /// The beam of every detection: the nearest of its layer in azimuth. Throws InputError if a layer does not exist in

@@ -215,6 +215,12 @@ std::vector<CellStatistics> Replay::simulate(const World& world, std::size_t s, 
   return statistics;
 }
 
+bool Replay::movesRays(const World& world) const {
+  return std::any_of(samples_.begin(), samples_.end(), [&](const ReplaySample& sample) {
+    return geometryKey(world, *sample.sample) != geometryKey(baseline_, *sample.sample);
+  });
+}
+
 bool Replay::mirrors(const World& world, std::size_t sample) const {
   const Geometry geometry = geometryOf(world, sample);
   const auto& ways = geometry->hits.second;

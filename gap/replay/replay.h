@@ -51,6 +51,8 @@ class Replay {
   /// Cell statistics of `frames` simulated frames of a sample.
   [[nodiscard]] std::vector<CellStatistics> simulate(const World& world, std::size_t sample, int frames,
                                                      std::uint64_t seed) const;
+  /// Whether a world sends any ray of any sample another way than the baseline does, or to another place.
+  [[nodiscard]] bool movesRays(const World& world) const;
   /// Whether any sub-ray of a sample meets something by way of a mirror.
   [[nodiscard]] bool mirrors(const World& world, std::size_t sample) const;
   /// All frames of a sample as the sensor would report them.

@@ -94,13 +94,6 @@ class Proofs {
   std::optional<CrossFit> others_;  ///< the samples that were fitted, where any cause needs them
 };
 
-/// Whether a world sends any ray another way than the baseline does, or to another place.
-bool movesRays(const Replay& replay, const World& world) {
-  return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
-    return geometryKey(world, *sample.sample) != geometryKey(replay.baseline(), *sample.sample);
-  });
-}
-
 /// Where no gap shows before any cause is tried, the best of the causes whose own gain shows that there is one.
 void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                           Decision& decision, const core::Progress& progress) {
@@ -112,7 +105,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     const auto shrinks = [&] { return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink; };
     if (candidate.hypothesis.seen_in_values) return shrinks();
     if (candidate.explained <= 0.0) return false;  // other samples than those held out may gain
-    return movesRays(exact.replay, world) ? shrinks() : gaps.with(world, progress).shrink.interval.high > 0.0;
+    return exact.replay.movesRays(world) ? shrinks() : gaps.with(world, progress).shrink.interval.high > 0.0;
   };
   Proofs proofs(quick, exact);
   for (Candidate& candidate : worthALook(quick, decision.singles)) {

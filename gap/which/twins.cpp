@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "gap/causes/scale.h"
+#include "gap/causes/search.h"
 
 namespace gap {
 
@@ -18,7 +19,6 @@ constexpr int kFrames = 4;           // and how often: under the same random num
 constexpr double kSameWorld = 0.01;  // of how far the leading cause goes from the baseline
 constexpr double kSameWay = 0.5;     // the same, where a cause's own fit ended: beyond, it goes elsewhere
 constexpr int kEven = 24;            // values all over the range
-constexpr int kBits = 13;            // of the value, as a share of the range (search.h)
 constexpr std::uintmax_t kMostTrials = 24;
 
 bool ofOneNumber(const Candidate& candidate) {
@@ -43,29 +43,24 @@ class WorldToMake {
   /// value is traced anew.
   [[nodiscard]] std::optional<double> valueIn(const Candidate& other) const {
     const UnitCube cube(other.hypothesis.parameters);
-    const auto distance = [&](double unit) {
-      return distanceOf(worldOf(replay_, other.hypothesis, cube.valuesAt({unit})));
-    };
-    double nearest = cube.unitOf(other.values)[0], least = distance(nearest);
-    if (least > kSameWay * from_baseline_ || movesRays(other)) return std::nullopt;
+    const auto worldAt = [&](double unit) { return worldOf(replay_, other.hypothesis, cube.valuesAt({unit})); };
+    const auto distance = [&](double unit) { return distanceOf(worldAt(unit)); };
+    double nearest = cube.unitOf(other.values)[0];
+    if (replay_.movesRays(worldAt(nearest))) return std::nullopt;
+    double least = distance(nearest);
+    if (least > kSameWay * from_baseline_) return std::nullopt;
     for (int i = 0; i <= kEven; ++i) {
       const double unit = static_cast<double>(i) / kEven, apart = distance(unit);
       if (apart < least) nearest = unit, least = apart;
     }
     std::uintmax_t trials = kMostTrials;
     const auto [unit, apart] = boost::math::tools::brent_find_minima(
-        distance, std::max(0.0, nearest - 1.0 / kEven), std::min(1.0, nearest + 1.0 / kEven), kBits, trials);
+        distance, std::max(0.0, nearest - 1.0 / kEven), std::min(1.0, nearest + 1.0 / kEven), kLineBits, trials);
     if (std::min(apart, least) > kSameWorld * from_baseline_) return std::nullopt;
     return cube.valuesAt({apart < least ? unit : nearest})[0];
   }
 
  private:
-  [[nodiscard]] bool movesRays(const Candidate& cause) const {
-    const model::Sample& sample = *replay_.samples()[evidence_.samples.front()].sample;
-    return geometryKey(worldOf(replay_, cause.hypothesis, cause.values), sample) !=
-           geometryKey(replay_.baseline(), sample);
-  }
-
   const Replay& replay_;
   Evidence evidence_;
   std::vector<Comparison> made_;

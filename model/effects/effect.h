@@ -239,7 +239,7 @@ class Effect {
   /// Changes an echo before noise is added. `receiver` is the one of this beam.
   [[nodiscard]] virtual bool changesEchoes() const { return false; }
   virtual void process(Echo&, const Receiver&, const ChainSettings&) const {}
-  /// Echoes with a peak up to this power are left by `process` as they are: most of them need not be asked about. [W]
+  /// Echoes with a signal up to this power are left by `process` as they are: most of them need not be asked about. [W]
   [[nodiscard]] virtual double processesAbove_w(const Receiver&) const { return 0.0; }
   /// Drops (says the fate) or adds echoes of one shot, before they are rounded and numbered.
   [[nodiscard]] virtual bool reports() const { return false; }

@@ -37,8 +37,7 @@ struct Receiver {
   double noise_w = 0.0;      ///< standard deviation of the input-referred noise
   double threshold_w = 0.0;  ///< on the received power
   std::optional<double> saturation_w;
-  std::optional<double>
-      knee_sharpness;  ///< of no profile: how the output bends with `saturation` on (saturation_knee.h)
+  std::optional<double> knee_sharpness;  ///< how it bends there (saturation_knee.h); no profile has one
 };
 
 struct DetectionStage {

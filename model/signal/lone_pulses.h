@@ -37,8 +37,6 @@ class LonePulses {
   void fire(const ChainSettings& settings, const core::Random::Key& frame, const std::vector<double>& gain);
   /// Whether the last shot of beam i was above the threshold, and its echo.
   [[nodiscard]] bool detected(std::size_t i) const { return ratio_[i] > 1.0; }
-  /// Peak of what was received, without noise.
-  [[nodiscard]] double signal_w(std::size_t i) const { return peak_w_[i] - power_noise_w_[i]; }
   [[nodiscard]] Echo echo(std::size_t i) const {
     return {range_m_[i], epw_m_[i], peak_w_[i], Fate::kDetected, power_noise_w_[i]};
   }

@@ -364,8 +364,9 @@ void SignalChain::fireLone(const TracedBeams& traced, const RunOptions& options,
     for (const Effect* effect : echo_effects_) {
       const double least_w = effect->processesAbove_w(settings_.receiver);
       for (std::size_t i = 0; i < lone.size(); ++i) {
-        if (!lone.detected(i) || lone.signal_w(i) <= least_w) continue;
+        if (!lone.detected(i)) continue;
         Echo echo = lone.echo(i);
+        if (echo.signal_w() <= least_w) continue;
         effect->process(echo, settings_.receiver, settings_);
         lone.setEcho(i, echo);
       }
