@@ -82,6 +82,7 @@ std::string summaryText(const Diagnosis& diagnosis) {
 const char* claimOf(const Verdict& verdict) {
   if (verdict.kind == VerdictKind::kNone) return "are right that nothing is missing";
   if (verdict.kind == VerdictKind::kUnknown) return "are right that the cause is none of those tried";
+  if (isOneOfTwo(verdict)) return "have the right cause among the two";
   return verdict.names.size() > 1 ? "name the right causes" : "name the right cause";
 }
 

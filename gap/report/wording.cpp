@@ -303,9 +303,42 @@ std::string correctedToo(const Diagnosis& diagnosis) {
   return beside.empty() ? "" : fmt::format(" Besides, the {} is wrong.", titlesOf(diagnosis, beside));
 }
 
+/// What a cause would mean, as a clause.
+std::string clauseOf(const Diagnosis& diagnosis, const Cause& cause) {
+  const std::string title = titlesOf(diagnosis, {cause.name});
+  switch (cause.kind) {
+    case CauseKind::kEffect:
+      return fmt::format("an effect is missing in the simulation ({})", title);
+    case CauseKind::kParameter:
+      return fmt::format("a number is wrong in the simulation ({})", title);
+    case CauseKind::kReference:
+      return fmt::format("the reference data are wrong ({})", title);
+  }
+  return title;
+}
+
+/// Of a verdict that is one of two, which say different things of the model; else empty.
+std::string eitherAnswer(const Diagnosis& diagnosis) {
+  const Verdict& verdict = diagnosis.verdict;
+  if (!isOneOfTwo(verdict)) return "";
+  const auto causeOf = [&](const std::string& name) {
+    return std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
+                        [&](const Cause& c) { return c.name == name; });
+  };
+  const auto named = causeOf(verdict.names.front()), other = causeOf(verdict.indistinguishable_from.front());
+  if (named == diagnosis.causes.end() || other == diagnosis.causes.end() || named->kind == other->kind) return "";
+  return fmt::format("Either {}, or {}: these data cannot tell which.", clauseOf(diagnosis, *named),
+                     clauseOf(diagnosis, *other));
+}
+
 std::string plainAnswer(const Diagnosis& diagnosis) {
-  const std::string causes = titlesOf(diagnosis, diagnosis.verdict.names);
-  const bool several = diagnosis.verdict.names.size() > 1;
+  if (std::string either = eitherAnswer(diagnosis); !either.empty()) return either;
+  const Verdict& verdict = diagnosis.verdict;
+  const bool several = verdict.names.size() > 1;
+  std::string causes = titlesOf(diagnosis, verdict.names);
+  if (isOneOfTwo(verdict))
+    causes +=
+        fmt::format(" or {}, which these data cannot tell apart", titlesOf(diagnosis, verdict.indistinguishable_from));
   switch (diagnosis.verdict.kind) {
     case VerdictKind::kNone:
       return diagnosis.p_value >= kSignificance
@@ -332,6 +365,10 @@ std::string plainAnswer(const Diagnosis& diagnosis) {
 }  // namespace
 
 const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 1 ? "it" : "one of them"; }
+
+bool isOneOfTwo(const Verdict& verdict) {
+  return verdict.names.size() == 1 && verdict.beside.empty() && verdict.indistinguishable_from.size() == 1;
+}
 
 std::string answerSentence(const Diagnosis& diagnosis) {
   const std::string answer = plainAnswer(diagnosis);

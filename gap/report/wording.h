@@ -64,6 +64,10 @@ struct ContradictionWords {
 /// Its unit as readers know it: "°" for "deg".
 [[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
+/// Whether a verdict is that it is its cause or one other, which cannot be told apart: its confidence is that in both
+/// together (verdict.h).
+[[nodiscard]] bool isOneOfTwo(const Verdict& verdict);
+
 /// Of what a verdict names, what it cannot tell from other causes: "it", or "one of them" of two.
 [[nodiscard]] const char* whatIsTied(const Verdict& verdict);
 

@@ -41,5 +41,28 @@ TEST(VerdictSentence, DoesNotCallADifferenceThatIsCertainButTooSmallToMatterNois
             "explained.");
 }
 
+// It is believed that it is one of both: no headline may say that no effect is missing, or name one of them alone.
+TEST(Answer, OfCausesThatCannotBeToldApartNamesBoth) {
+  Diagnosis diagnosis;
+  diagnosis.verdict.kind = VerdictKind::kParameter;
+  diagnosis.verdict.names = {"/sensor/receiver/threshold_w"};
+  diagnosis.verdict.indistinguishable_from = {"dynamic-threshold"};
+  diagnosis.verdict.confidence = 0.94;
+  diagnosis.causes.resize(2);
+  diagnosis.causes[0].kind = CauseKind::kParameter;
+  diagnosis.causes[0].name = "/sensor/receiver/threshold_w";
+  diagnosis.causes[1].name = "dynamic-threshold";
+  EXPECT_EQ(answerSentence(diagnosis),
+            "Either a number is wrong in the simulation (detection threshold of the receiver), or an effect is missing "
+            "in the simulation (threshold that follows the noise): these data cannot tell which.");
+  diagnosis.verdict.kind = VerdictKind::kEffect;
+  diagnosis.verdict.names = {"speckle"};
+  diagnosis.causes[0].kind = CauseKind::kEffect;
+  diagnosis.causes[0].name = "speckle";
+  EXPECT_EQ(answerSentence(diagnosis),
+            "The measurement shows an effect that the simulation lacks: speckle or threshold that follows the noise, "
+            "which these data cannot tell apart.");
+}
+
 }  // namespace
 }  // namespace gap
