@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kFewForAMedian = 4;
 constexpr double kOutlier = 6.0;       // standard deviations
+constexpr double kSurely = 8.0;        // of the profile's noise: no outlier is nearer
 constexpr double kNormalMad = 1.4826;  // standard deviation of a normal distribution over its median deviation
 
 struct Surface {
@@ -100,6 +101,22 @@ double edgeWalk_m(double width_m, double power_over_threshold) {
   };
   const double over_threshold = std::max(1.0, power_over_threshold);
   return beforePeak_m(over_threshold * kPowerMayBe) - beforePeak_m(over_threshold / kPowerMayBe);
+}
+
+/// Standard deviation of values that are rounded to steps after noise came to them.
+double rounded(double noise, double step) { return std::sqrt(noise * noise + step * step / 12.0); }
+
+/// Where the values of a cell usually lie.
+struct Usual {
+  double median = 0.0, tolerance = std::numeric_limits<double>::infinity();
+};
+
+/// Of values that may be reordered; of none, anywhere.
+Usual usualOf(std::vector<double>& values, double least_tolerance) {
+  if (values.empty()) return {};
+  const double median = medianOf(values);
+  for (double& value : values) value = std::abs(value - median);
+  return {median, std::max(least_tolerance, kOutlier * kNormalMad * medianOf(values))};
 }
 
 constexpr std::int32_t kNone = -1, kMixed = -2;
@@ -184,17 +201,19 @@ double CellStatistics::variance(Channel channel) const {
 }
 
 CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
-                       bool directions_recorded)
-    : pooled_(!directions_recorded) {
+                       Recorded recorded)
+    : recorded_(recorded) {
   const model::ChainSettings& settings = baseline.settings();
   const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
   const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
   reach_m_ = std::max(1.0, 2.0 * separation_m);
-  const double step_m = std::max(settings.detection.range_resolution_m, settings.counters.range_m);
-  const double noise_m = settings.detection.range_noise_m;
-  const double by_noise_m = 8.0 * std::sqrt(noise_m * noise_m + step_m * step_m / 12.0);
+  const model::DetectionStage& detection = settings.detection;
+  const model::CounterSteps& steps = settings.counters;
+  const double of_range_m =
+      kSurely * rounded(detection.range_noise_m, std::max(detection.range_resolution_m, steps.range_m));
+  const double of_width_m = kSurely * rounded(detection.epw_noise_m, std::max(detection.epw_resolution_m, steps.epw_m));
   const bool edge = settings.detection.range_mode == model::RangeMode::kLeadingEdge;
-  if (pooled_) {
+  if (pooled()) {
     cells_ = {{.object = 0}};
     surfaces_ = 1;
     return;
@@ -209,8 +228,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
                         surface.weight, at_edge});
-      const double walk_m = edge ? edgeWalk_m(width_m, cells_.back().power_over_threshold) : 0.0;
-      tolerance_m_.push_back(std::max(by_noise_m, walk_m));
+      const double walk_m = edgeWalk_m(width_m, cells_.back().power_over_threshold);
+      tolerances_.push_back({std::max(of_range_m, edge ? walk_m : 0.0), std::max(of_width_m, 2.0 * walk_m)});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
@@ -239,7 +258,7 @@ std::vector<CellLayout::Seen> CellLayout::seenIn(const model::BeamHits& hits) co
 }
 
 std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
-  if (pooled_) return 0;
+  if (pooled()) return 0;
   std::size_t best = surfaces_ + beam;
   double best_distance = reach_m_;
   for (std::size_t c = first_[beam]; c < first_[beam + 1]; ++c) {
@@ -263,30 +282,41 @@ void CellLayout::add(std::vector<CellStatistics>& statistics, std::size_t cell,
   }
 }
 
-std::vector<std::size_t> CellLayout::cellsOf(const std::vector<Value>& values) const {
-  std::vector<std::size_t> cell_of(values.size());
+CellLayout::Assigned CellLayout::assigned(const std::vector<Value>& values) const {
+  Assigned result;
+  std::vector<std::size_t>& cell_of = result.cell_of;
+  cell_of.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) cell_of[i] = cellOf(values[i].beam, values[i].of[kRange]);
-  if (pooled_) return cell_of;
+  if (pooled()) return result;
 
   const core::Grouped by_cell(cell_of, cells_.size());
-  std::vector<double> ranges;
+  std::vector<double> ranges, widths;
   for (std::size_t c = 0; c < surfaces_; ++c) {
     if (by_cell.of(c).size() < kFewForAMedian) continue;
+    const bool asks_widths = recorded_.widths && !cells_[c].at_edge;
     ranges.clear();
-    for (const std::uint32_t i : by_cell.of(c)) ranges.push_back(values[i].of[kRange]);
-    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, tolerance_m_[c]);
-    const double median = medianOf(ranges);
-    for (double& range : ranges) range = std::abs(range - median);
-    const double tolerance = std::max(tolerance_m_[c], kOutlier * kNormalMad * medianOf(ranges));
+    widths.clear();
     for (const std::uint32_t i : by_cell.of(c)) {
-      if (std::abs(values[i].of[kRange] - median) > tolerance) cell_of[i] = surfaces_ + values[i].beam;
+      ranges.push_back(values[i].of[kRange]);
+      if (asks_widths) widths.push_back(values[i].of[kEpw]);
+    }
+    if (!cells_[c].at_edge) keepNearestGroup(ranges, cells_[c].anchor_m, tolerances_[c].range_m);
+    const Usual range = usualOf(ranges, tolerances_[c].range_m), width = usualOf(widths, tolerances_[c].width_m);
+    for (const std::uint32_t i : by_cell.of(c)) {
+      const auto& value = values[i].of;
+      if (std::abs(value[kRange] - range.median) > range.tolerance) {
+        cell_of[i] = surfaces_ + values[i].beam;
+      } else if (value[kEpw] > width.median + width.tolerance) {
+        result.usual_width_m.emplace_back(i, width.median);
+      }
     }
   }
-  return cell_of;
+  return result;
 }
 
-std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<Value>& values) const {
-  const std::vector<std::size_t> cell_of = cellsOf(values);
+std::vector<CellStatistics> CellLayout::statisticsOf(std::vector<Value> values) const {
+  const auto [cell_of, usual_width_m] = assigned(values);
+  for (const auto& [i, width_m] : usual_width_m) values[i].of[kEpw] = width_m;
   std::vector<CellStatistics> statistics(cells_.size());
   for (std::size_t i = 0; i < values.size(); ++i) add(statistics, cell_of[i], values[i].of);
   return statistics;
@@ -296,7 +326,7 @@ std::vector<CellLayout::Value> CellLayout::valuesOf(const std::vector<model::Sho
   std::vector<Value> values;
   values.reserve(shots.size());
   for (const model::Shot& shot : shots)
-    values.push_back({pooled_ ? 0 : shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
+    values.push_back({pooled() ? 0 : shot.beam, {shot.range_m, shot.epw_m, shot.intensity_nw}});
   return values;
 }
 
@@ -305,7 +335,7 @@ std::vector<CellStatistics> CellLayout::statisticsOf(const std::vector<model::Sh
 }
 
 std::vector<std::size_t> CellLayout::cellsOf(const std::vector<model::Shot>& shots) const {
-  return cellsOf(valuesOf(shots));
+  return assigned(valuesOf(shots)).cell_of;
 }
 
 std::vector<CellLayout::Value> CellLayout::valuesOf(const core::Detections& detections,
@@ -313,7 +343,7 @@ std::vector<CellLayout::Value> CellLayout::valuesOf(const core::Detections& dete
   std::vector<Value> values;
   values.reserve(detections.size());
   for (std::size_t i = 0; i < detections.size(); ++i) {
-    values.push_back({pooled_ ? 0 : beam_of[i],
+    values.push_back({pooled() ? 0 : beam_of[i],
                       {detections.range_m[i], detections.epw_m.empty() ? 0.0 : detections.epw_m[i],
                        detections.intensity.empty() ? 0.0 : detections.intensity[i]}});
   }
@@ -327,7 +357,7 @@ std::vector<CellStatistics> CellLayout::statisticsOf(const core::Detections& det
 
 std::vector<std::size_t> CellLayout::cellsOf(const core::Detections& detections,
                                              const std::vector<std::uint32_t>& beam_of) const {
-  return cellsOf(valuesOf(detections, beam_of));
+  return assigned(valuesOf(detections, beam_of)).cell_of;
 }
 
 std::vector<std::uint32_t> beamsOfDetections(const core::Detections& detections, const std::vector<model::Beam>& beams,

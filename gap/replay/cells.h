@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/detections.h"
@@ -56,15 +57,20 @@ struct CellStatistics {
 /// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam. A detection that
 /// lies far from its cell's median (six standard deviations, estimated from the median deviation, and farther than the
 /// edge of a weak echo walks) was not made by the surface and counts as extra: one false echo would otherwise move the
-/// mean of a cell by more than its error.
+/// mean of a cell by more than its error. One whose echo pulse width lies far above the median has merged with a false
+/// echo: it counts with the median width.
 class CellLayout {
  public:
+  /// What was recorded of the detections of all samples beside their ranges.
+  struct Recorded {
+    bool directions, widths;
+  };
   CellLayout(const model::BeamHits& hits, const model::Scene& scene, const model::SignalChain& baseline,
-             bool directions_recorded);
+             Recorded recorded);
 
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
   [[nodiscard]] std::size_t surfaces() const noexcept { return surfaces_; }
-  [[nodiscard]] bool pooled() const noexcept { return pooled_; }
+  [[nodiscard]] bool pooled() const noexcept { return !recorded_.directions; }  ///< everything is one cell
 
   /// What every surface cell would be in other geometry: mean range (NaN where its object is not met) and received
   /// power, in any unit, which falls with r⁻² and the share of the beam that the object leaves.
@@ -92,17 +98,26 @@ class CellLayout {
   [[nodiscard]] std::vector<Value> valuesOf(const std::vector<model::Shot>& shots) const;
   [[nodiscard]] std::vector<Value> valuesOf(const core::Detections& detections,
                                             const std::vector<std::uint32_t>& beam_of) const;
-  [[nodiscard]] std::vector<std::size_t> cellsOf(const std::vector<Value>& values) const;
-  [[nodiscard]] std::vector<CellStatistics> statisticsOf(const std::vector<Value>& values) const;
+  /// The cell of each detection, and the usual echo pulse width of the cell for those with which another echo merged.
+  struct Assigned {
+    std::vector<std::size_t> cell_of;
+    std::vector<std::pair<std::size_t, double>> usual_width_m;  ///< by detection
+  };
+  [[nodiscard]] Assigned assigned(const std::vector<Value>& values) const;
+  [[nodiscard]] std::vector<CellStatistics> statisticsOf(std::vector<Value> values) const;
   void add(std::vector<CellStatistics>& statistics, std::size_t cell,
            const std::array<double, kChannels>& values) const;
 
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
-  double reach_m_ = 0.0;             ///< farther from every anchor a detection is extra
-  std::vector<double> tolerance_m_;  ///< of a surface: nearer to its cell's median a detection is no outlier
-  bool pooled_ = false;              ///< directions were not recorded: everything is one cell
+  double reach_m_ = 0.0;  ///< farther from every anchor a detection is extra
+  /// Nearer to the medians of its cell a detection is no outlier.
+  struct Tolerance {
+    double range_m, width_m;
+  };
+  std::vector<Tolerance> tolerances_;  ///< of surfaces
+  Recorded recorded_;
 };
 
 /// The beam of every detection: the nearest of its layer in azimuth. Throws InputError if a layer does not exist in

@@ -81,7 +81,10 @@ void Replay::pairWithBaseline(std::size_t s) {
   const model::SignalChain chain(baseline_.model.sensor(sensor), baseline_.model.effectsOf(sensor),
                                  geometry->situation.environment);
   sample.scene = geometry->situation.scene;
-  sample.layout = std::make_unique<CellLayout>(geometry->hits, sample.scene, chain, sample.measured.hasDirections());
+  const bool widths = std::find(channels_.begin(), channels_.end(), kEpw) != channels_.end();
+  sample.layout = std::make_unique<CellLayout>(
+      geometry->hits, sample.scene, chain,
+      CellLayout::Recorded{.directions = sample.measured.hasDirections(), .widths = widths});
   sample.statistics = sample.layout->statisticsOf(sample.measured, sample.beam_of);
   sample.power_deviation.resize(sample.layout->cells().size());
   for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);

@@ -133,4 +133,29 @@ TEST(Cells, OfASurfaceKeepWeakEchoesWhoseLeadingEdgeWalks) {
   EXPECT_EQ(keptNearTheThreshold("peak"), 3) << "a peak does not walk: those nearest to the surface are its own";
 }
 
+/// The mean echo pulse width of a surface of which sixteen echoes are seen, one of them as wide as this.
+double meanWithOneOfWidth(double width_m) {
+  const SmallWorld world;
+  const model::LidarModel model = SmallWorld::modelWith({});
+  const gap::Replay replay(world.measuredBy(model, 0.4), model);
+  const gap::CellLayout& layout = *replay.samples().front().layout;
+  std::vector<model::Shot> shots(16);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    shots[i].beam = layout.cells().front().beam;
+    shots[i].range_m = layout.cells().front().anchor_m + 0.001 * static_cast<double>(i);
+    shots[i].epw_m = i == 5 ? width_m : 2.0 + 0.04 * static_cast<double>(i % 2);
+  }
+  const gap::CellStatistics surface = layout.statisticsOf(shots).front();
+  EXPECT_EQ(surface.count, 16.0) << "it is an echo of the surface nevertheless";
+  return surface.mean(gap::kEpw);
+}
+
+// Its width says how far behind the surface the false echo lies, and would move the mean by ten times its error.
+TEST(Cells, OfASurfaceDoNotAskTheWidthOfAnEchoThatAFalseOneHasMergedWith) {
+  const double without = (2.0 * 8 + 2.04 * 7) / 15.0;
+  EXPECT_NEAR(meanWithOneOfWidth(6.0), without, 0.04 / 16.0);
+  EXPECT_NEAR(meanWithOneOfWidth(2.2), (15.0 * without + 2.2) / 16.0, 1e-9) << "three times the noise of the profile";
+  EXPECT_NEAR(meanWithOneOfWidth(0.5), (15.0 * without + 0.5) / 16.0, 1e-9) << "nothing that merges makes it narrower";
+}
+
 }  // namespace
