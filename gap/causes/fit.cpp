@@ -15,13 +15,15 @@ constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40, .trials_in_valle
 constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24};  // only to show whether a better fit is worth it
 constexpr unsigned kPlacesOfOne = 7;                               // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;
-constexpr std::size_t kCoarseSamples = 4;
 constexpr int kCoarseFrames = 3;
 constexpr double kSharesOfMost[] = {0.003, 0.01, 0.03, 0.1, 0.3};  // at which one number of several is tried alone
 
-/// A few samples are enough to find the neighbourhood.
+Evidence onFewFrames(const Evidence& evidence) {
+  return spreadOver(evidence, evidence.samples.size(), std::min(evidence.most_frames, kCoarseFrames));
+}
+
 Evidence fewOf(const Evidence& evidence) {
-  return spreadOver(evidence, kCoarseSamples, std::min(evidence.most_frames, kCoarseFrames));
+  return onFewFrames(spreadOver(evidence, kScoutedSamples, evidence.most_frames));
 }
 
 /// The offset of one set-up alone, as a hypothesis with one number.
@@ -71,13 +73,13 @@ Scouted scoutSetups(const Replay& replay, const Hypothesis& hypothesis, const Ev
   Scouted scouted;
   double before = 0.0, gone = 0.0;
   for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i) {
-    const Evidence own = onSetup(replay, evidence, hypothesis.parameters[i].name);
+    const Evidence own = fewOf(onSetup(replay, evidence, hypothesis.parameters[i].name));
     if (own.samples.empty()) {
       scouted.values.push_back(0.0);
       continue;
     }
     const Scouted scouted_setup = scout(replay, alone(hypothesis, i), own, {}, progress);
-    const double at_first = discrepancyOf(replay, replay.baseline(), fewOf(own));
+    const double at_first = discrepancyOf(replay, replay.baseline(), own);
     before += at_first;
     gone += scouted_setup.gain * at_first;
     scouted.values.push_back(scouted_setup.values[0]);
@@ -102,7 +104,7 @@ std::vector<double> setupBySetup(const Replay& replay, const Hypothesis& hypothe
 Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
               const std::vector<std::vector<double>>& starts, const core::Progress& progress, const World* known) {
   if (hypothesis.per_setup) return scoutSetups(replay, hypothesis, evidence, progress);
-  const Evidence few = fewOf(evidence);
+  const Evidence few = onFewFrames(evidence);
   const double before = discrepancyOf(replay, known != nullptr ? *known : replay.baseline(), few);
   const auto gain = [&](double after) { return before > 0.0 ? 1.0 - after / before : 0.0; };
   const Objective objective(replay, hypothesis, few, progress);

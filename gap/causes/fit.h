@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/progress.h"
@@ -7,15 +8,17 @@
 
 namespace gap {
 
+inline constexpr std::size_t kScoutedSamples = 4;  ///< enough to find the neighbourhood
+
 /// Where a coarse search ended.
 struct Scouted {
   std::vector<double> values;
-  double gain = 0.0;  ///< share of the discrepancy that is gone, on the few samples and frames looked at
+  double gain = 0.0;  ///< share of the discrepancy that is gone, on the samples and frames looked at
 };
 
-/// A coarse search over the plausible range (and the starts given) on a few samples. Parameters per set-up are searched
-/// one by one. Deterministic. The random numbers are the same for all values and hypotheses. Gains are those beyond
-/// what is `known`; beyond the baseline if that is null.
+/// A coarse search over the plausible range (and the starts given) on few frames of the evidence, of which few samples
+/// are enough. Parameters per set-up are searched one by one. Deterministic. The random numbers are the same for all
+/// values and hypotheses. Gains are those beyond what is `known`; beyond the baseline if that is null.
 [[nodiscard]] Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                             const std::vector<std::vector<double>>& starts, const core::Progress& progress,
                             const World* known = nullptr);

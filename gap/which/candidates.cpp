@@ -11,6 +11,7 @@
 #include "gap/causes/starts.h"
 #include "gap/far/how_far.h"
 #include "gap/replay/statistics.h"
+#include "gap/which/scouted_samples.h"
 #include "gap/which/valleys.h"
 
 namespace gap {
@@ -23,7 +24,6 @@ constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles 
 constexpr std::size_t kPolished = 3;  // of the leaders fitted with more frames, and
 constexpr double kRival = 0.15;       // in merit: those that may yet lead, which fits of one kind alone can tell
 constexpr std::size_t kPolishedPairs = 2;
-constexpr std::size_t kScoutedSamples = 4;
 constexpr std::size_t kScoutBeams = 180;    // a sample: enough to find about where a reference is
 constexpr std::size_t kAlwaysFitted = 16;   // best hypotheses of the coarse search
 constexpr std::size_t kFittedOfSmall = 32;  // where the gap is small few samples hardly show any gain
@@ -253,12 +253,13 @@ std::vector<Candidate> fitted(const Judge& judge, const std::vector<Hypothesis>&
   };
   // Every offset of a reference traces all rays anew, and the surfaces that it moves are in many beams.
   const Replay few = judge.replay.thinner(kScoutBeams);
+  const Evidence scouted_on = scoutedSamples(judge.split.fitted, where);
   const auto scoutAll = [&](const std::vector<Hypothesis>& some) {
     std::vector<Scouted> scouted(some.size());
     core::parallelFor(some.size(), 1, [&](std::size_t h, std::size_t) {
       const Replay& replay = some[h].kind == CauseKind::kReference ? few : judge.replay;
-      scouted[h] = scout(replay, some[h], splitFor(judge, some[h]).fitted, startsFrom(judge.replay, some[h], where),
-                         progress, known);
+      const Evidence evidence = some[h].per_setup ? splitFor(judge, some[h]).fitted : scouted_on;
+      scouted[h] = scout(replay, some[h], evidence, startsFrom(judge.replay, some[h], where), progress, known);
       report("tried ", some[h]);
     });
     return scouted;

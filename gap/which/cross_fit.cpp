@@ -31,8 +31,10 @@ bool CrossFit::applies(const Judge& judge, const Hypothesis& hypothesis) {
 }
 
 NullRuns::Gains CrossFit::gainsOf(const Hypothesis& hypothesis, const core::Progress& progress) const {
-  std::vector<double> values = scout(quick_.replay, hypothesis, exchanged_.fitted, {}, progress).values;
-  values = fitFrom(quick_.replay, hypothesis, exchanged_.fitted, values, progress);
+  const Evidence& fitted = exchanged_.fitted;
+  const Evidence few = spreadOver(fitted, kScoutedSamples, fitted.most_frames);
+  std::vector<double> values = scout(quick_.replay, hypothesis, few, {}, progress).values;
+  values = fitFrom(quick_.replay, hypothesis, fitted, values, progress);
   values = refine(exact_.replay, hypothesis, exchanged_.refined, values, progress);
   return nulls_.gainsOf(worldOf(exact_.replay, hypothesis, values));
 }
