@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kAccountsFor = 0.7;   // of the gap: what accounts for less is as likely wrong as right
 constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
-constexpr double kLeastShrink = 0.05;  // of the total gap: of causes that move rays: less may be how edges cut beams
+constexpr double kLeastShrink = 0.05;  // of the total gap: less may be luck, or how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
 constexpr double kWorthCrossing = 1.5;  // standard deviations of the gain, to look at the other samples as well
@@ -105,7 +105,7 @@ void nameWhatProvesItself(const Judge& quick, const Judge& exact, const HeldOutG
     const auto shrinks = [&] { return gaps.shrinkTo(gaps.totalIn(world)) > kLeastShrink; };
     if (candidate.hypothesis.seen_in_values) return shrinks();
     if (candidate.explained <= 0.0) return false;  // other samples than those held out may gain
-    return exact.replay.movesRays(world) ? shrinks() : gaps.with(world, progress).shrink.interval.high > 0.0;
+    return shrinks() || (!exact.replay.movesRays(world) && gaps.with(world, progress).shrink.interval.low > 0.0);
   };
   Proofs proofs(quick, exact);
   for (Candidate& candidate : worthALook(quick, decision.singles)) {
