@@ -1,11 +1,13 @@
 #include "gap/which/exchanges.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "core/parallel.h"
+#include "gap/causes/starts.h"
 #include "gap/far/how_far.h"
 #include "gap/which/leading_pairs.h"
 #include "gap/which/partners.h"
@@ -27,6 +29,21 @@ std::vector<Candidate> alsoInTheirSectors(const std::vector<Candidate>& members,
     for (Candidate& moved : inSectorOf(member, singles)) known.push_back(std::move(moved));
   }
   return known;
+}
+
+/// What the residuals beside a cause suggest one place of (the rate of rare echoes is counted), there.
+std::vector<Candidate> asCountedBeside(const Judge& exact, const Candidate& kept,
+                                       const std::vector<Candidate>& singles) {
+  const World world = worldOf(exact.replay, kept.hypothesis, kept.values);
+  const WhereResult where = whereIn(exact.replay, world, exact.split.fitted.seed);
+  std::vector<Candidate> counted;
+  for (const Candidate& single : singles) {
+    auto starts = startsFrom(exact.replay, single.hypothesis, where);
+    if (starts.size() != 1) continue;
+    counted.push_back(single);
+    counted.back().values = std::move(starts.front());
+  }
+  return counted;
 }
 
 /// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
@@ -62,8 +79,11 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Exchanged>
   std::vector<std::pair<double, std::size_t>> order(others.size());
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i].pair;
-    other.values = roughFitFrom(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
-    order[i] = {quick.leftOfFitted(other.hypothesis, other.values), i};
+    const double at_first = quick.leftOfFitted(other.hypothesis, other.values);
+    auto values = roughFitFrom(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
+    const double left = quick.leftOfFitted(other.hypothesis, values);
+    if (left < at_first) other.values = std::move(values);  // few shots of few samples hardly know a rare echo
+    order[i] = {std::min(left, at_first), i};
   });
   std::erase_if(order, [&](const auto& one) { return one.first > others[one.second].most_left; });
   std::sort(order.begin(), order.end());
@@ -87,6 +107,10 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
     const double most_left = of_pair + kTooFarBehind * std::max(0.0, alone - of_pair);
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
       exchanged.push_back({std::move(other), most_left});
+    for (const Candidate& counted : asCountedBeside(exact, members[kept], singles)) {
+      if (pairable(members[kept].hypothesis, counted.hypothesis))
+        exchanged.push_back({pairOf(members[kept], counted), std::numeric_limits<double>::infinity()});
+    }
   }
   std::vector<Candidate> others = nearestRoughly(quick, std::move(exchanged), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {

@@ -53,16 +53,14 @@ double priceOf(const Candidate& candidate) {
   return price;
 }
 
-/// What it costs one cause to say more than another, as a square of standard deviations: twice the logarithm of a
-/// likelihood ratio is the square of its z.
+/// What it costs one cause to say more than another, in nats.
 double costOf(const Candidate& candidate, const Candidate& beside) {
-  return 2.0 * std::max(0.0, priceOf(candidate) - priceOf(beside));
+  return std::max(0.0, priceOf(candidate) - priceOf(beside));
 }
 
 /// How well a candidate is told from the best one, with what it takes more to say it.
 double toldApart(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& other, double alike) {
-  const double apart = std::max(0.0, toldFromOnAll(quick, exact, best, other, alike));
-  return std::sqrt(apart * apart + costOf(other, best));
+  return toldFromOnAll(quick, exact, best, other, alike, costOf(other, best));
 }
 
 /// Those of other names, of each name the first one.
@@ -149,7 +147,7 @@ void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& c
     const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
     if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
     const double apart = separationOnAll(quick, exact, other, best, kTie * added);
-    if (apart < std::sqrt(kApart * kApart + costOf(other, best))) continue;
+    if (apart < std::sqrt(kApart * kApart + 2.0 * costOf(other, best))) continue;
     const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
     std::rotate(candidates.begin(), place, place + 1);
   }

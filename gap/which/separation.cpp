@@ -18,7 +18,10 @@ struct Apart {
   double difference = 0.0;
   double expected = 0.0;  ///< of it, were the first one right
   double variance = 0.0;  ///< of it then
+  double alike = 0.0;     ///< so many nats of it say nothing
 
+  /// By how many nats the second is nearer.
+  [[nodiscard]] double nearer() const { return std::max(0.0, -difference - alike); }
   [[nodiscard]] double z() const { return difference / std::max(1e-9, std::sqrt(variance)); }
   /// What so many nats are as a z.
   [[nodiscard]] double ofLikelihoods() const { return std::sqrt(2.0 * std::max(0.0, difference)); }
@@ -32,11 +35,12 @@ Apart apartOn(const Replay& replay, const Evidence& evidence, const World& best,
     differences[run] = of_rival.discrepancyTo(measured) - of_best.discrepancyTo(measured);
   });
   const Distribution were_it_right(differences);
-  return {of_rival.discrepancy() - of_best.discrepancy(), were_it_right.mean,
-          were_it_right.stddev * were_it_right.stddev};
+  return {.difference = of_rival.discrepancy() - of_best.discrepancy(),
+          .expected = were_it_right.mean,
+          .variance = were_it_right.stddev * were_it_right.stddev};
 }
 
-/// See separationOnAll; nothing where the two are alike.
+/// See separationOnAll; no difference where the second is farther by no more than they are alike.
 Apart apartOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival, double alike) {
   Apart all;
   bool differ = false;
@@ -51,8 +55,10 @@ Apart apartOnAll(const Judge& quick, const Judge& exact, const Candidate& best, 
     if (held_out && differ && part.z() > kBeyondDoubt) return part;
     all.difference += part.difference;
     all.variance += part.variance;
+    all.alike += alike * explained;
   }
-  return differ ? all : Apart{};
+  if (!differ) all.difference = std::min(0.0, all.difference);
+  return all;
 }
 
 }  // namespace
@@ -74,9 +80,10 @@ double separationOnAll(const Judge& quick, const Judge& exact, const Candidate& 
 }
 
 double toldFromOnAll(const Judge& quick, const Judge& exact, const Candidate& best, const Candidate& rival,
-                     double alike) {
+                     double alike, double price) {
   const Apart apart = apartOnAll(quick, exact, best, rival, alike);
-  return std::min(apart.z(), apart.ofLikelihoods());
+  const double told = std::max(0.0, std::min(apart.z(), apart.ofLikelihoods()));
+  return std::sqrt(told * told + 2.0 * std::max(0.0, price - apart.nearer()));
 }
 
 }  // namespace gap

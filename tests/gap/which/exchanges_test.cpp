@@ -88,4 +88,18 @@ TEST(Exchanges, TheUsualFormOfACauseIsTriedWhereAnotherFormComesNearest) {
   EXPECT_NEAR(usual->values[1], 12.0, 0.2);
 }
 
+// One shot in some hundreds has such an echo: few shots of few samples hardly show how many. Alone, foreign pulses had
+// been fitted to what the offset makes of all surfaces.
+TEST(Exchanges, ARareEchoHasTheRateThatIsCountedBesideTheOtherMember) {
+  const auto pairs =
+      exchanged({{"range-offset", {{"offset_m", 0.1}}}, {"crosstalk", {{"rate_1_s", 20000}}}},
+                {{"range-offset", {0.1}, ""}, {"false-alarm", {0.02}, ""}, {"crosstalk", {900000.0, 300.0}, ""}});
+  const auto exchanged = std::find_if(pairs.begin(), pairs.end(), [](const gap::Candidate& pair) {
+    return pair.hypothesis.name == "range-offset + crosstalk";
+  });
+  ASSERT_NE(exchanged, pairs.end());
+  EXPECT_NEAR(exchanged->values[1], 20000.0, 4000.0);
+  EXPECT_NEAR(exchanged->explained, 1.0, 0.1);
+}
+
 }  // namespace

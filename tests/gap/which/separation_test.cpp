@@ -1,5 +1,6 @@
 #include "gap/which/separation.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "tests/gap/hypothesis_named.h"
@@ -37,6 +38,17 @@ TEST_F(Separation, TellsTwoThatAreNearlyOneApartNoMoreThanTheirLikelihoodsDo) {
 
 TEST_F(Separation, OfTwoThatDifferIsWhatTheDataSay) {
   EXPECT_GT(gap::toldFromOnAll(judge_, judge_, offset(0.05), offset(0.055), 0.0), 4.0);
+}
+
+// The price of a number is a matter of odds: what is nearer by more than that pays it back.
+TEST_F(Separation, OfARivalThatCostsMoreIsItsPriceUnlessItIsNearerByAsMuch) {
+  constexpr double kPrice = 4.0;
+  EXPECT_NEAR(gap::toldFromOnAll(judge_, judge_, offset(0.05), offset(0.05), 0.0, kPrice), std::sqrt(2.0 * kPrice),
+              1e-6);
+  EXPECT_EQ(gap::toldFromOnAll(judge_, judge_, offset(0.055), offset(0.05), 0.0, kPrice), 0.0);
+  const double alike = 0.5;  // of what is explained: then it is nearer by nothing
+  EXPECT_NEAR(gap::toldFromOnAll(judge_, judge_, offset(0.055), offset(0.05), alike, kPrice), std::sqrt(2.0 * kPrice),
+              1e-6);
 }
 
 }  // namespace
