@@ -56,6 +56,12 @@ struct VerdictEvidence {
   double gap_z = 0.0;       ///< of the gap before any cause was added, in standard deviations of noise
 };
 
+/// Two causes that together come nearer than any alone, though not near enough to be named.
+struct NearestPair {
+  std::vector<std::string> names;
+  double explained = 0.0;  ///< share of the explainable discrepancy, held-out
+};
+
 struct Verdict {
   VerdictKind kind = VerdictKind::kUnknown;
   std::vector<std::string> names;
@@ -65,6 +71,7 @@ struct Verdict {
   /// Numbers and references that were fitted together with the effects named: part of the shrink is theirs.
   std::vector<std::string> beside;
   Contradiction contradiction = Contradiction::kNone;  ///< why it is `unknown`, whatever the nearest cause explains
+  std::optional<NearestPair> nearest_pair;             ///< of `unknown`
   std::vector<std::string> limits;  ///< why the data are too few to be sure, clauses; the confidence is low then
   std::string text;
 

@@ -97,6 +97,17 @@ VerdictEvidence evidenceOf(const Judge& judge, const Decision& decision) {
   return evidence;
 }
 
+/// Of those that were tried, where it says notably more than the best single cause.
+std::optional<NearestPair> nearestPairIn(const Decision& decision) {
+  constexpr double kNotably = 0.05, kHalf = 0.5;  // of the gap
+  if (decision.pairs.empty() || decision.singles.empty()) return std::nullopt;
+  const Candidate& pair = decision.pairs.front();
+  if (pair.explained < std::max(kHalf, decision.singles.front().explained + kNotably)) return std::nullopt;
+  NearestPair nearest{{}, std::min(1.0, pair.explained)};
+  for (const Candidate& member : membersOf(pair)) nearest.names.push_back(member.hypothesis.name);
+  return nearest;
+}
+
 double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
   const auto cause = std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
                                   [&](const Cause& listed) { return listed.name == name; });
@@ -166,6 +177,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     verdict.confidence = p_value >= kSignificance ? beliefInNone(p_value) : kNoneBelief;
   } else {
     verdict.confidence = kUnknownBelief;
+    verdict.nearest_pair = nearestPairIn(decision);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }
   verdict.evidence = evidenceOf(judge, decision);

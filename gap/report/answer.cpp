@@ -198,6 +198,19 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+namespace {
+
+/// What two causes would explain, a clause; empty where no two say more than one.
+std::string nearestPairText(const Diagnosis& diagnosis) {
+  const auto& pair = diagnosis.verdict.nearest_pair;
+  if (!pair) return "";
+  std::vector<std::string> titles;
+  for (const std::string& name : pair->names) titles.push_back(causeTitle(diagnosis, name));
+  return fmt::format(", {} together {}", core::join(titles, " and "), percent(pair->explained));
+}
+
+}  // namespace
+
 std::string fittedText(const Cause& cause, const FittedParameter& parameter) {
   const std::string unit = unitOf(parameter);
   const std::string interval =
@@ -218,10 +231,10 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
     const Cause& nearest = diagnosis.causes.front();
     const auto contradicted = wordsFor(diagnosis.verdict.contradiction);
     const char* why_not = contradicted ? contradicted->why_not : "a right one would explain nearly all";
-    facts.push_back(
-        {"The nearest cause", report::text(fmt::format("{} would explain {} of what there is to explain; {}.",
-                                                       causeTitle(diagnosis, nearest.name),
-                                                       percent(std::max(0.0, nearest.explained)), why_not))});
+    facts.push_back({"The nearest cause",
+                     report::text(fmt::format(
+                         "{} would explain {} of what there is to explain{}; {}.", causeTitle(diagnosis, nearest.name),
+                         percent(std::max(0.0, nearest.explained)), nearestPairText(diagnosis), why_not))});
   }
   if (const Law* pattern = patternIn(diagnosis.verdict, diagnosis.rest))
     facts.push_back({"A pattern in it", report::text(patternText(*pattern))});

@@ -186,6 +186,8 @@ Json reportJson(const Diagnosis& diagnosis) {
                    {"limits", diagnosis.verdict.limits},
                    {"text", diagnosis.verdict.text}}},
                  {"causes", causes}};
+  if (const auto& pair = diagnosis.verdict.nearest_pair)
+    report["verdict"]["nearest_pair"] = {{"names", pair->names}, {"explained", pair->explained}};
   report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
   if (diagnosis.as_run) report["shrink"]["as_run"] = toJson(*diagnosis.as_run);
   report["next_experiment"] = nullptr;

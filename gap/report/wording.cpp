@@ -281,8 +281,12 @@ std::string findingSentence(const Diagnosis& diagnosis) {
             "held-out samples does not shrink.",
             sure, diagnosis.causes.front().name);
       }
-      return fmt::format("They differ, and nothing in the library explains it {}; the nearest, {}, explains {}.", sure,
-                         diagnosis.causes.front().name, percent(std::max(0.0, diagnosis.causes.front().explained)));
+      return fmt::format("They differ, and nothing in the library explains it {}; the nearest, {}, explains {}{}.",
+                         sure, diagnosis.causes.front().name,
+                         percent(std::max(0.0, diagnosis.causes.front().explained)),
+                         verdict.nearest_pair ? fmt::format(", {} together {}", listOf(verdict.nearest_pair->names),
+                                                            percent(verdict.nearest_pair->explained))
+                                              : "");
   }
   return "";
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/far/how_far.h"
+#include "gap/which/partners.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 
@@ -80,6 +81,34 @@ TEST(Verdict, ACauseIsBelievedLessWhereNoSampleIsHeldOutAndStillLessWhereFramesD
   EXPECT_GT(usual, 0.9);
   EXPECT_NEAR(beliefInTheOffset(true, false), 0.9 * usual, 1e-9);
   EXPECT_NEAR(beliefInTheOffset(false, true), 0.7 * usual, 1e-9);
+}
+
+/// What an `unknown` says of two causes that were tried, one of which explains so much alone and both so much.
+std::optional<gap::NearestPair> nearestPairOf(double alone, double together) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstickAt(20.0)};
+  const auto hypotheses = gap::hypothesesFor(replay, {"range-offset", "detection-loss"});
+  const gap::Candidate offset{test_support::hypothesisNamed(hypotheses, "range-offset"), {0.1}, alone};
+  const gap::Candidate loss{test_support::hypothesisNamed(hypotheses, "detection-loss"), {0.1}, 0.1};
+  gap::Decision decision;
+  decision.singles = {offset, loss};
+  decision.pairs = {gap::pairOf(offset, loss)};
+  decision.pairs.front().explained = together;
+  gap::Diagnosis diagnosis;
+  gap::fillVerdict(judge, decision, diagnosis);
+  return diagnosis.verdict.nearest_pair;
+}
+
+TEST(Verdict, ThatTheCauseIsUnknownSaysWhichTwoComeNearerThanAnyAlone) {
+  const auto nearest = nearestPairOf(0.51, 0.87);
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->names, (std::vector<std::string>{"range-offset", "detection-loss"}));
+  EXPECT_DOUBLE_EQ(nearest->explained, 0.87);
+  EXPECT_FALSE(nearestPairOf(0.51, 0.52)) << "the second says nothing";
+  EXPECT_FALSE(nearestPairOf(0.1, 0.4)) << "less than half is no lead";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "gap/report/wording.h"
 #include "tests/report/svg_reader.h"
 
 // Pages of diagnoses that are written down here: what must stand in them for each kind of verdict.
@@ -177,6 +178,17 @@ TEST(GapPage, OfAnUnknownCauseShowsTheNearestButProposesNothing) {
   EXPECT_THAT(html, HasSubstr("41 %"));
   EXPECT_THAT(html, Not(HasSubstr("id=\"proposal\"")));
   EXPECT_THAT(html, Not(HasSubstr(">named<")));
+}
+
+TEST(GapPage, OfAnUnknownCauseSaysWhichTwoComeNearerTogether) {
+  gap::Diagnosis d = withCause(gap::VerdictKind::kUnknown, causeOf(gap::CauseKind::kEffect, "range-walk", 0.41));
+  d.verdict.nearest_pair = gap::NearestPair{{"range-walk", "cover-contamination"}, 0.83};
+  const std::string html = gap::reportHtml(d);
+  expectSoundPage(html);
+  EXPECT_THAT(html, HasSubstr("together 83 %"));
+  d.verdict.text = gap::verdictSentence(d);
+  EXPECT_THAT(d.verdict.text,
+              HasSubstr("range-walk, explains 41 %, range-walk and cover-contamination together 83 %."));
 }
 
 TEST(GapPage, OfAnUnknownCauseSaysWhatRepeatsItselfAndWhereToLookFirst) {
