@@ -36,6 +36,7 @@ PARAMETERS = ["reflectivity", "emitter/peak_power_w", "receiver/threshold_w", "r
 BUDGET = 3000  # about so many beams of all frames in a sample
 REFERENCES = ["everywhere", "per-setup"]
 BESIDE = ["one", "one", "both", "reference", "nothing"]
+SIGMAS_KNOWN = 2  # standard deviations of set-ups: half of the interval that is recorded
 AMBIGUOUS = ["range-offset", "clock-drift", "reference", "atmospheric-attenuation", "reflectivity"]
 
 
@@ -179,7 +180,7 @@ def draw_invented(rng, class_name, name):
     present = everyday(rng, scene, profile)
     baseline = {"format": "fidelis-model", "version": 1, "id": "baseline", "sensor": profile,
                 "rays_per_beam": rng.choice([[11, 11], [11, 15]]), "seed": rng.randint(1, 10**6), "effects": present}
-    scatter = {scene.references[0]: known_m / 2} if rng.random() < 0.9 else {}
+    scatter = {scene.references[0]: known_m / SIGMAS_KNOWN} if rng.random() < 0.9 else {}
     return Draft(experiment, baseline, family, "none", [], lambda u: Cause(), scatter), scene
 
 
@@ -188,7 +189,7 @@ def draw_recorded(rng, given):
     scene, experiment = recorded.scene_of(given), recorded.package_of(rng, given)
     baseline = copy.deepcopy(given.model) | {"id": "baseline", "seed": rng.randint(1, 10**6)}
     known_m = recorded.tolerance_m(experiment)
-    scatter = {scene.references[0]: known_m / 2} if known_m else {}
+    scatter = {scene.references[0]: known_m / SIGMAS_KNOWN} if known_m else {}
     return Draft(experiment, baseline, given.name, "none", [], lambda u: Cause(), scatter), scene
 
 
@@ -323,7 +324,7 @@ def make_reference(rng, draft, scene, name):
 
 def make_none(rng, draft, scene, name):
     known_m = recorded.tolerance_m(draft.experiment)
-    draft.scatter = {} if name == "quiet" or not known_m else {scene.references[0]: known_m / 2}
+    draft.scatter = {} if name == "quiet" or not known_m else {scene.references[0]: known_m / SIGMAS_KNOWN}
 
 
 def make_outside(rng, draft, scene, name):
@@ -383,7 +384,9 @@ def truth_world(draft, cause):
 
 
 def scattered(rng, experiment, scatter):
-    """The world with each set-up a little off, anew at every call."""
+    """The world with each set-up a little off, anew at every call; within the interval that is recorded of it, for beyond that a
+    reference is wrong (effects.md)."""
     setups = sorted({packages.setup_of(s) for s in experiment["samples"]})
-    offsets = {p: {"per_setup": {s: round(rng.gauss(0, sigma), 5) for s in setups}} for p, sigma in scatter.items()}
+    within = lambda sigma: round(sigma * max(-SIGMAS_KNOWN, min(SIGMAS_KNOWN, rng.gauss(0, 1))), 5)
+    offsets = {p: {"per_setup": {s: within(sigma) for s in setups}} for p, sigma in scatter.items()}
     return packages.displaced(experiment, offsets)

@@ -173,6 +173,13 @@ class Worlds(unittest.TestCase):
         self.assertEqual([packages.value_in(world, s, "/scene/0/x") for s in world["samples"]], [5.5, 1.75])
         self.assertEqual(experiment["samples"][1]["patch"], [])
 
+    def test_set_ups_stand_within_what_is_recorded_of_them(self):
+        experiment = {"scene": [{"x": 1.0}], "samples": [{"id": str(i), "patch": []} for i in range(500)]}
+        world = cases.scattered(random.Random(1), experiment, {"/scene/0/x": 0.005})
+        offsets = [packages.value_in(world, s, "/scene/0/x") - 1.0 for s in world["samples"]]
+        self.assertLessEqual(max(map(abs, offsets)), 0.005 * cases.SIGMAS_KNOWN + 1e-9)
+        self.assertGreater(sum(abs(x) > 0.005 for x in offsets), 100)  # a third of a normal distribution
+
     def test_slots_do_not_depend_on_how_many_are_taken(self):
         import itertools
         self.assertEqual(list(itertools.islice(cases.slots(3), 5)), list(itertools.islice(cases.slots(3), 50))[:5])
