@@ -104,7 +104,7 @@ double edgeWalk_m(double width_m, double power_over_threshold) {
 }
 
 /// Standard deviation of values that are rounded to steps after noise came to them.
-double rounded(double noise, double step) { return std::sqrt(noise * noise + step * step / 12.0); }
+double noiseOnceRounded(double noise, double step) { return std::sqrt(noise * noise + step * step / 12.0); }
 
 /// Where the values of a cell usually lie.
 struct Usual {
@@ -205,14 +205,15 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     : recorded_(recorded) {
   const model::ChainSettings& settings = baseline.settings();
   const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
-  const double separation_m = std::max(settings.detection.echo_separation_m, width_m);
-  reach_m_ = std::max(1.0, 2.0 * separation_m);
   const model::DetectionStage& detection = settings.detection;
+  const double separation_m = std::max(detection.echo_separation_m, width_m);
+  reach_m_ = std::max(1.0, 2.0 * separation_m);
   const model::CounterSteps& steps = settings.counters;
   const double of_range_m =
-      kSurely * rounded(detection.range_noise_m, std::max(detection.range_resolution_m, steps.range_m));
-  const double of_width_m = kSurely * rounded(detection.epw_noise_m, std::max(detection.epw_resolution_m, steps.epw_m));
-  const bool edge = settings.detection.range_mode == model::RangeMode::kLeadingEdge;
+      kSurely * noiseOnceRounded(detection.range_noise_m, std::max(detection.range_resolution_m, steps.range_m));
+  const double of_width_m =
+      kSurely * noiseOnceRounded(detection.epw_noise_m, std::max(detection.epw_resolution_m, steps.epw_m));
+  const bool edge = detection.range_mode == model::RangeMode::kLeadingEdge;
   if (pooled()) {
     cells_ = {{.object = 0}};
     surfaces_ = 1;

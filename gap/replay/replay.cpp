@@ -48,6 +48,10 @@ void addToleranceOfAir(ReplaySample& sample, const model::Emitter& emitter, cons
   if (any) sample.tolerances.push_back(std::move(tolerance));
 }
 
+bool among(const std::vector<Channel>& channels, Channel channel) {
+  return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
+
 }  // namespace
 
 Replay::Replay(const model::Experiment& experiment, const model::LidarModel& baseline, Detail detail,
@@ -81,10 +85,8 @@ void Replay::pairWithBaseline(std::size_t s) {
   const model::SignalChain chain(baseline_.model.sensor(sensor), baseline_.model.effectsOf(sensor),
                                  geometry->situation.environment);
   sample.scene = geometry->situation.scene;
-  const bool widths = std::find(channels_.begin(), channels_.end(), kEpw) != channels_.end();
-  sample.layout = std::make_unique<CellLayout>(
-      geometry->hits, sample.scene, chain,
-      CellLayout::Recorded{.directions = sample.measured.hasDirections(), .widths = widths});
+  const CellLayout::Recorded recorded{.directions = sample.measured.hasDirections(), .widths = among(channels_, kEpw)};
+  sample.layout = std::make_unique<CellLayout>(geometry->hits, sample.scene, chain, recorded);
   sample.statistics = sample.layout->statisticsOf(sample.measured, sample.beam_of);
   sample.power_deviation.resize(sample.layout->cells().size());
   for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);
@@ -245,11 +247,8 @@ core::Detections Replay::reported(const std::vector<model::Shot>& shots, const W
   const ReplaySample& sample = samples_[s];
   core::Detections detections = model::toDetections(shots, sample.beams, world.model.sensor(sample.sample->sensor));
   // A column that was not compared is none: a foreign model may lack one that the profile has.
-  const auto compared = [&](Channel channel) {
-    return std::find(channels_.begin(), channels_.end(), channel) != channels_.end();
-  };
-  if (!foreign_.empty() && !compared(kEpw)) detections.epw_m.clear();
-  if (!foreign_.empty() && !compared(kIntensity)) detections.intensity.clear();
+  if (!foreign_.empty() && !among(channels_, kEpw)) detections.epw_m.clear();
+  if (!foreign_.empty() && !among(channels_, kIntensity)) detections.intensity.clear();
   return detections;
 }
 

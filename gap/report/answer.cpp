@@ -196,17 +196,10 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
   return items;
 }
 
-}  // namespace
-
-namespace {
-
 /// What two causes would explain, a clause; empty where no two say more than one.
 std::string nearestPairText(const Diagnosis& diagnosis) {
   const auto& pair = diagnosis.verdict.nearest_pair;
-  if (!pair) return "";
-  std::vector<std::string> titles;
-  for (const std::string& name : pair->names) titles.push_back(causeTitle(diagnosis, name));
-  return fmt::format(", {} together {}", core::join(titles, " and "), percent(pair->explained));
+  return pair ? fmt::format(", {} together {}", titlesOf(diagnosis, pair->names), percent(pair->explained)) : "";
 }
 
 }  // namespace

@@ -119,12 +119,6 @@ std::string namesOf(const Diagnosis& diagnosis) {
   return listOf(names);
 }
 
-std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>& names) {
-  std::vector<std::string> titles;
-  for (const std::string& name : names) titles.push_back(ofItsSensors(diagnosis, name, causeTitle(diagnosis, name)));
-  return listOf(titles);
-}
-
 /// "3.2 to 4.1 mW", or one number where both are the same.
 std::string intensitiesText(double low_nw, double high_nw) {
   const std::string low = withUnitOf(high_nw, low_nw, "nW"), high = withUnit(high_nw, "nW");
@@ -154,6 +148,12 @@ std::string componentTitle(const std::string& measurand, const std::string& comp
 
 std::string causeTitle(const Diagnosis& diagnosis, const std::string& name) {
   return name.rfind('/', 0) == 0 ? pointerTitle(diagnosis, name) : effectTitle(name);
+}
+
+std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>& names) {
+  std::vector<std::string> titles;
+  for (const std::string& name : names) titles.push_back(ofItsSensors(diagnosis, name, causeTitle(diagnosis, name)));
+  return listOf(titles);
 }
 
 std::string causeSummary(const std::string& name) {

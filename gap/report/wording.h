@@ -57,6 +57,8 @@ struct ContradictionWords {
 /// What a cause is called: "attenuation by the atmosphere", "reflectivity of the material board", "recorded position of
 /// target, x (forward)".
 [[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
+/// Several of them, each with the sensors on which it holds if those are not all: "A and B".
+[[nodiscard]] std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>& names);
 /// What it is, in a sentence for a reader who never heard of it; empty for what is no effect of the library.
 [[nodiscard]] std::string causeSummary(const std::string& name);
 /// What a fitted number means: "meteorological visibility".

@@ -38,6 +38,7 @@ std::vector<Candidate> asCountedBeside(const Judge& exact, const Candidate& kept
   const WhereResult where = whereIn(exact.replay, world, exact.split.fitted.seed);
   std::vector<Candidate> counted;
   for (const Candidate& single : singles) {
+    if (!pairable(kept.hypothesis, single.hypothesis)) continue;
     auto starts = startsFrom(exact.replay, single.hypothesis, where);
     if (starts.size() != 1) continue;
     counted.push_back(single);
@@ -107,10 +108,8 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
     const double most_left = of_pair + kTooFarBehind * std::max(0.0, alone - of_pair);
     for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
       exchanged.push_back({std::move(other), most_left});
-    for (const Candidate& counted : asCountedBeside(exact, members[kept], singles)) {
-      if (pairable(members[kept].hypothesis, counted.hypothesis))
-        exchanged.push_back({pairOf(members[kept], counted), std::numeric_limits<double>::infinity()});
-    }
+    for (const Candidate& counted : asCountedBeside(exact, members[kept], singles))
+      exchanged.push_back({pairOf(members[kept], counted), std::numeric_limits<double>::infinity()});
   }
   std::vector<Candidate> others = nearestRoughly(quick, std::move(exchanged), progress);
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "gap/causes/fit.h"
@@ -14,23 +15,23 @@ constexpr double kBeyond = 3.0;  // standard errors: of a thousand cells hardly 
 constexpr double kFarMore = 3.0;
 constexpr double kClear = 5.0;  // standard errors beyond those, of all cells together: noise makes two or three
 
-/// How far the cells of a sample deviate beyond what is noise, in standard errors.
-double deviationOf(std::size_t sample, const WhereResult& where) {
-  double deviation = 0.0;
+/// How far the cells of each sample deviate beyond what is noise, in standard errors.
+std::map<std::size_t, double> deviationsIn(const WhereResult& where) {
+  std::map<std::size_t, double> deviations;
   for (const ResidualTable& table : where.tables)
     for (const ResidualTable::Row& row : table.rows)
-      if (row.sample == sample && row.error > 0.0)
-        deviation += std::max(0.0, std::abs(row.value) / row.error - kBeyond);
-  return deviation;
+      if (row.error > 0.0) deviations[row.sample] += std::max(0.0, std::abs(row.value) / row.error - kBeyond);
+  return deviations;
 }
 
 }  // namespace
 
 Evidence scoutedSamples(const Evidence& evidence, const WhereResult& where) {
   Evidence few = spreadOver(evidence, kScoutedSamples, evidence.most_frames);
+  std::map<std::size_t, double> deviations = deviationsIn(where);
   const auto most = [&](const std::vector<std::size_t>& samples) {
     std::pair<double, std::size_t> found;
-    for (const std::size_t sample : samples) found = std::max(found, {deviationOf(sample, where), sample});
+    for (const std::size_t sample : samples) found = std::max(found, {deviations[sample], sample});
     return found;
   };
   const auto [deviation, outstanding] = most(evidence.samples);
