@@ -28,6 +28,7 @@ namespace {
 constexpr double kConvincing = 0.85;     // of the gap: a cause that accounts for so much stands beside them
 constexpr double kMostOfTheGap = 0.5;    // gone without what moves whole frames: nothing else explains the gap
 constexpr double kWeightOfTotal = 0.3;   // of what is left of the total gap beside what is left cell by cell
+constexpr double kBeyondDoubt = 1e-9;    // of a stratum, all others that were looked at allowed for: six sigma
 constexpr double kMaterialSteps = 0.25;  // of the resolution: smaller deviations are not called a gap
 
 /// With which candidates are judged; more cost minutes and tell no more.
@@ -117,6 +118,17 @@ std::optional<UnevenLoss> heedLosses(const Judge& judge, Decision& decision) {
   std::optional<UnevenLoss> loss = unevenLossIn(judge, *decision.winner);
   if (loss) decision.nameNothing(Contradiction::kLossesUneven);
   return loss;
+}
+
+/// What one stratum shows beyond doubt is a gap, though the noise of all cells hides it and no cause proved itself: it
+/// is unknown what makes it.
+void heedStrata(const WhereResult& where, Decision& decision, Diagnosis& diagnosis) {
+  if (decision.kind != VerdictKind::kNone || where.largest_steps < kMaterialSteps || where.rows.empty()) return;
+  const auto surest = std::min_element(where.rows.begin(), where.rows.end(),
+                                       [](const WhereRow& a, const WhereRow& b) { return a.p_value < b.p_value; });
+  if (surest->p_value > kBeyondDoubt) return;
+  decision.nameNothing(Contradiction::kOneStratum);
+  diagnosis.p_value = surest->p_value;
 }
 
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
@@ -226,10 +238,12 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.background = backgroundOf(replay, exact.split, decision);
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
+  const bool proven = decision.kind != VerdictKind::kNone;
+  heedStrata(where, decision, diagnosis);
   heedLaws(exact, where, seed, decision, diagnosis);
   if (decision.kind == VerdictKind::kNone)
     decision.singles.clear();  // where nothing is to be explained, nothing has a cause
-  if (!clear && decision.kind != VerdictKind::kNone) diagnosis.p_value = decision.p_value;
+  if (!clear && proven) diagnosis.p_value = decision.p_value;
   if (given.external)
     diagnosis.approximation =
         approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);

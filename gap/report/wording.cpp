@@ -230,6 +230,13 @@ std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
           "but that formula describes it with fewer numbers",
           "Look at what the light passes in the sensor, and how that changes over the scan: the lens, the filter, the "
           "window, the mirror, the alignment of emitter and receiver."};
+    case Contradiction::kOneStratum:
+      return ContradictionWords{"in one place",
+                                "one stratum, the first that is listed, deviates far beyond noise and the rest hardly "
+                                "does",
+                                "but it is not what deviates there",
+                                "Look at what is special in that place. Nothing that was tried makes a difference that "
+                                "small there and none elsewhere; more frames of it would show more."};
     case Contradiction::kNone:
       break;
   }
@@ -424,9 +431,10 @@ std::string frameModeSentence(const FrameMode& mode) {
 std::string unevenLossSentence(const UnevenLoss& loss) {
   return fmt::format(
       "Echoes are lost unevenly: {} of them on average, but the {} beams deviate from that by {} (standard deviation, "
-      "beyond chance), and {} of the beams lose less than half as many. No cause that was tried does that; look for "
+      "beyond chance), and {} of the beams lose less than half as many{}. No cause that was tried does that; look for "
       "what loses echoes in some directions only.",
-      percent(loss.mean), loss.beams, percent(loss.stddev), percent(loss.unhurt));
+      percent(loss.mean), loss.beams, percent(loss.stddev), percent(loss.unhurt),
+      loss.period_deg ? fmt::format("; that repeats itself every {:.3g}° of azimuth", *loss.period_deg) : "");
 }
 
 std::string nextExperimentSentence(const NextExperiment& next) {

@@ -17,9 +17,10 @@ enum class VerdictKind { kNone, kEffect, kParameter, kReference, kUnknown };
 /// What the data show that no cause that was tried does, so that none is named however much it explains.
 enum class Contradiction {
   kNone,
-  kFramesMove,       ///< all detections of a frame deviate together (frame_mode.h)
-  kLossesUneven,     ///< some beams lose many echoes and others none (uneven_loss.h)
-  kFollowsDirection  ///< plain functions of the beams' azimuth say it with fewer numbers (direction_laws.h)
+  kFramesMove,        ///< all detections of a frame deviate together (frame_mode.h)
+  kLossesUneven,      ///< some beams lose many echoes and others none (uneven_loss.h)
+  kFollowsDirection,  ///< plain functions of the beams' azimuth say it with fewer numbers (direction_laws.h)
+  kOneStratum         ///< a stratum deviates beyond doubt, though all cells together do not, and no cause proved itself
 };
 
 /// What the search for causes ended with.

@@ -56,12 +56,16 @@ void learnFrom(const std::vector<Candidate>& pairs, const Judge& quick, const Ju
   takeBetter(std::move(improved), singles);
 }
 
-/// Puts a cause before all others, in place of the same one with other values, if it is better than the best of them.
-void takeTheLead(Candidate candidate, std::vector<Candidate>& singles) {
-  if (!better(candidate, singles.front())) return;
+/// Puts a cause before all others, in place of the same one with other values.
+void putFirst(Candidate candidate, std::vector<Candidate>& singles) {
   const auto same = singles.begin() + static_cast<std::ptrdiff_t>(placeOfForm(singles, candidate));
   *same = std::move(candidate);
   std::rotate(singles.begin(), same, same + 1);
+}
+
+/// The same, if it is better than the best of them.
+void takeTheLead(Candidate candidate, std::vector<Candidate>& singles) {
+  if (better(candidate, singles.front())) putFirst(std::move(candidate), singles);
 }
 
 /// Whether none of these explains so much that it may yet be named.
@@ -189,6 +193,12 @@ bool namesTogether(const Judge& usual, const Judge& exact, const HeldOutGaps& ga
     return false;
   }
   leadByPlainest(quick, exact, pairs, addedBySecond(best, pairs));
+  // A plain cause beside one that adds nothing may come as near as two that are needed: then it is the cause.
+  Candidate alone = betterMember(exact, gaps, pairs.front());
+  if (doesAsWellAlone(quick, exact, alone, pairs.front())) {
+    putFirst(std::move(alone), decision.singles);
+    return false;
+  }
   nameFirstOf(pairs, quick, exact, decision);
   return true;
 }

@@ -119,6 +119,10 @@ Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candid
   return members.front();
 }
 
+bool doesAsWellAlone(const Judge& quick, const Judge& exact, const Candidate& member, const Candidate& pair) {
+  return separation(exact, pair, member) <= 0.0 && separationOnAll(quick, exact, pair, member, 0.0) <= 0.0;
+}
+
 bool SecondProofs::of(const Candidate& pair) {
   const auto more = static_cast<double>(pair.values.size()) - static_cast<double>(single_.values.size());
   if (single_.discrepancy - pair.discrepancy < Judge::kNatsPerNumber * std::max(1.0, more)) return false;

@@ -21,6 +21,10 @@ namespace gap {
 /// echoes that merge in one column) may have been found beside another cause only.
 [[nodiscard]] Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair);
 
+/// Whether one of a pair does at least as well alone: it is no farther from the data, on held-out samples and on all.
+[[nodiscard]] bool doesAsWellAlone(const Judge& quick, const Judge& exact, const Candidate& member,
+                                   const Candidate& pair);
+
 /// Whether a pair is nearer to the data than the best single cause by more than luck, and by so much, or so little
 /// being left, that a second cause is there. `quick` sees some of the beams, enough for the samples that were fitted.
 /// docs/diagnosis.md gives the reasons for the bounds.

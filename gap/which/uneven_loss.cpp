@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
+#include "core/physics.h"
 #include "model/effects/effect.h"
 
 namespace gap {
@@ -20,6 +24,9 @@ constexpr double kStandsOut = 6.0;  // standard deviations, as of frames that do
 constexpr double kFewestBeams = 30.0;
 constexpr double kMostLost = 4.0;  // of what is expected of a beam, and so many more: single beams of which programs
                                    // differ lose everything and prove nothing
+constexpr double kFewestPeriods = 3.0;  // in the scan
+constexpr double kFrequencyStep = 0.2;  // of a period over the whole scan
+constexpr double kMostPeriods = 500.0;
 
 bool takesFromAllShotsAlike(const Candidate& cause) {
   const std::vector<Candidate> members = membersOf(cause);
@@ -31,6 +38,7 @@ bool takesFromAllShotsAlike(const Candidate& cause) {
 
 /// Echoes of one beam, all frames and samples.
 struct Echoes {
+  double azimuth_deg = 0.0;
   double shots = 0.0, measured = 0.0, expected = 0.0;
 
   [[nodiscard]] double lostAsExpected() const { return shots - expected; }
@@ -38,17 +46,19 @@ struct Echoes {
   [[nodiscard]] double lostBesides() const {
     return std::min(expected - measured, (kMostLost - 1.0) * lostAsExpected() + kMostLost);
   }
-  /// Of that, by chance: both are drawn. Half an echo more, for rates are not known better.
-  [[nodiscard]] double variance() const {
+  /// Of that, by chance: both are drawn.
+  [[nodiscard]] double byChance() const {
     const double rate = 0.5 * (measured + expected) / shots;
-    return 2.0 * shots * rate * (1.0 - rate) + 0.5;
+    return 2.0 * shots * rate * (1.0 - rate);
   }
+  /// Half an echo more, for the rate of a single beam is not known better.
+  [[nodiscard]] double variance() const { return byChance() + 0.5; }
 };
 
 /// Of a sensor, by number in the whole scan.
 using Beam = std::pair<std::string, std::uint32_t>;
 
-std::map<Beam, Echoes> strongEchoesOf(const Judge& judge, const Candidate& cause) {
+std::vector<Echoes> strongEchoesOf(const Judge& judge, const Candidate& cause) {
   std::map<Beam, Echoes> beams;
   const Replay& replay = judge.replay;
   const World world = worldOf(replay, cause.hypothesis, cause.values);
@@ -60,12 +70,78 @@ std::map<Beam, Echoes> strongEchoesOf(const Judge& judge, const Candidate& cause
       const Cell& cell = sample.layout->cells()[c];
       if (cell.at_edge || cell.share < kWholeBeam || cell.power_over_threshold < kStrong) continue;
       Echoes& echoes = beams[{sample.sample->sensor, sample.taken.empty() ? cell.beam : sample.taken[cell.beam]}];
+      echoes.azimuth_deg = sample.beams[cell.beam].azimuth_rad * core::kDegPerRad;
       echoes.shots += frames;
       echoes.measured += std::min(frames, sample.statistics[c].count);
       echoes.expected += std::min(frames, simulated[c].count);
     }
   }
-  return beams;
+  std::vector<Echoes> in_order;
+  for (const auto& [beam, echoes] : beams) in_order.push_back(echoes);
+  return in_order;
+}
+
+/// A wave over azimuth.
+struct Wave {
+  double period_deg = 0.0;
+  double power = 0.0;      ///< of standard normal deviates 1 on average
+  double amplitude = 0.0;  ///< of the shots
+};
+
+/// The wave of this period in what beams lose beyond the mean of all of them, that of `besides` of a shot.
+Wave waveIn(const std::vector<Echoes>& beams, double besides, double period_deg) {
+  const auto phaseOf = [&](const Echoes& echoes) {
+    return std::polar(1.0, 2.0 * std::numbers::pi * echoes.azimuth_deg / period_deg);
+  };
+  double shots = 0.0;
+  std::complex<double> centre = 0.0;
+  for (const Echoes& echoes : beams) {
+    shots += echoes.shots;
+    centre += echoes.shots * phaseOf(echoes);
+  }
+  centre /= shots;
+  std::complex<double> sum = 0.0;
+  double cos_cos = 0.0, cos_sin = 0.0, sin_sin = 0.0;  // covariance of its parts
+  for (const Echoes& echoes : beams) {
+    const std::complex<double> phase = phaseOf(echoes) - centre;
+    sum += (echoes.lostBesides() - besides * echoes.shots) * phase;
+    cos_cos += echoes.byChance() * phase.real() * phase.real();
+    cos_sin += echoes.byChance() * phase.real() * phase.imag();
+    sin_sin += echoes.byChance() * phase.imag() * phase.imag();
+  }
+  const double determinant = cos_cos * sin_sin - cos_sin * cos_sin;
+  if (!(determinant > 1e-6 * cos_cos * sin_sin)) return {.period_deg = period_deg};  // it has one phase
+  const double squares = (sin_sin * sum.real() * sum.real() - 2.0 * cos_sin * sum.real() * sum.imag() +
+                          cos_cos * sum.imag() * sum.imag()) /
+                         determinant;
+  return {period_deg, 0.5 * squares, 2.0 * std::abs(sum) / shots};
+}
+
+/// Those that a scan of such a step can tell.
+std::vector<double> periodsOf_deg(const std::vector<Echoes>& beams, double step_deg) {
+  const auto [first, last] = std::minmax_element(
+      beams.begin(), beams.end(), [](const Echoes& a, const Echoes& b) { return a.azimuth_deg < b.azimuth_deg; });
+  const double span_deg = last->azimuth_deg - first->azimuth_deg;
+  const double most = std::min(kMostPeriods, 0.5 * span_deg / step_deg);
+  std::vector<double> periods_deg;
+  for (double periods = kFewestPeriods; periods <= most; periods += kFrequencyStep)
+    periods_deg.push_back(span_deg / periods);
+  return periods_deg;
+}
+
+/// Of the strongest wave, if chance makes none such among as many periods, and it is as uneven as `unevenLossIn` asks.
+std::optional<double> periodIn(const std::vector<Echoes>& beams, double step_deg, double lost, double besides) {
+  const std::vector<double> periods_deg = periodsOf_deg(beams, step_deg);
+  if (periods_deg.empty()) return std::nullopt;
+  std::vector<Wave> waves(periods_deg.size());
+  core::parallelFor(waves.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) waves[i] = waveIn(beams, besides, periods_deg[i]);
+  });
+  const Wave& strongest =
+      *std::max_element(waves.begin(), waves.end(), [](const Wave& a, const Wave& b) { return a.power < b.power; });
+  const double by_chance = std::log(static_cast<double>(waves.size())) + 0.5 * kStandsOut * kStandsOut;
+  if (strongest.power < by_chance || strongest.amplitude < kUneven * lost) return std::nullopt;
+  return strongest.period_deg;
 }
 
 }  // namespace
@@ -76,14 +152,14 @@ std::optional<UnevenLoss> unevenLossIn(const Judge& judge, const Candidate& caus
   const double count = static_cast<double>(beams.size());
   if (count < kFewestBeams) return std::nullopt;
   double shots = 0.0, squared_shots = 0.0, lost = 0.0, besides = 0.0;
-  for (const auto& [beam, echoes] : beams) {
+  for (const Echoes& echoes : beams) {
     shots += echoes.shots;
     squared_shots += echoes.shots * echoes.shots;
     lost += echoes.lostAsExpected();
     besides += echoes.lostBesides();
   }
   double beyond_chance = 0.0, index = 0.0;
-  for (const auto& [beam, echoes] : beams) {
+  for (const Echoes& echoes : beams) {
     const double square = std::pow(echoes.lostBesides() - besides / shots * echoes.shots, 2.0);
     beyond_chance += square - echoes.variance();
     index += square / echoes.variance();
@@ -94,13 +170,13 @@ std::optional<UnevenLoss> unevenLossIn(const Judge& judge, const Candidate& caus
   loss.stddev = std::sqrt(std::max(0.0, beyond_chance / squared_shots));
   loss.z = (index - count) / std::sqrt(2.0 * count);
   loss.unhurt =
-      static_cast<double>(std::count_if(beams.begin(), beams.end(),
-                                        [&](const auto& beam) {
-                                          const Echoes& echoes = beam.second;
-                                          return echoes.shots - echoes.measured < 0.5 * loss.mean * echoes.shots;
-                                        })) /
+      static_cast<double>(std::count_if(
+          beams.begin(), beams.end(),
+          [&](const Echoes& echoes) { return echoes.shots - echoes.measured < 0.5 * loss.mean * echoes.shots; })) /
       count;
-  if (loss.z < kStandsOut || loss.stddev < kUneven * loss.mean) return std::nullopt;
+  loss.period_deg = periodIn(beams, azimuthStep_deg(judge.replay), loss.mean, besides / shots);
+  const bool from_beam_to_beam = loss.z >= kStandsOut && loss.stddev >= kUneven * loss.mean;
+  if (!from_beam_to_beam && !loss.period_deg) return std::nullopt;
   return loss;
 }
 

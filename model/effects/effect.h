@@ -176,6 +176,10 @@ struct Echo {
   double peak_w = 0.0;          ///< of s(t) + n
   Fate fate = Fate::kDetected;  ///< an effect that drops an echo says why; nobody behind it sees the echo
   double noise_w = 0.0;         ///< n in its peak
+  // What becomes of it where the emitted pulse is longer by a small share of its width, divided by that share. Not of
+  // what a shot that nothing but noise disturbs sent back.
+  double epw_per_width_m = 0.0;
+  double peak_per_width = 0.0;  ///< of s(t), relative; 0 where no pulses overlap
 
   /// Of s(t) alone.
   [[nodiscard]] double signal_w() const { return peak_w - noise_w; }

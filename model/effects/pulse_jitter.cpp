@@ -7,8 +7,10 @@ namespace model::effects {
 
 namespace {
 
-/// No two laser pulses are alike. Peak power: P = P_mean · max(0, 1 + σ_P N). Duration: all widths of a shot stretch by
-/// 1 + σ_τ N / FWHM, and a range taken at the leading edge comes out shorter by a quarter of what the EPW grows.
+/// No two laser pulses are alike. Peak power: P = P_mean · max(0, 1 + σ_P N). Duration: the pulses of a shot are longer
+/// by x = σ_τ N / FWHM of theirs. A lone pulse's EPW grows by x, an echo that is stretched (oblique surfaces, edges) by
+/// less, and its peak grows, as its pulses overlap more: of width W² = w² + σ² by (w/W)² x and (1 - (w/W)²) x, to the
+/// first order in x. A range taken at the leading edge comes out shorter by a quarter of what the EPW grows.
 /// Source: Rosenberger 2022, doi:10.26083/tuprints-00023034, ch. 10 (scatter of the emitted pulse in the EPW).
 class PulseJitter final : public Effect {
  public:
@@ -27,8 +29,9 @@ class PulseJitter final : public Effect {
     (void)random.normal();
     const double stretch = std::max(-0.9, duration_stddev_ns_ / settings.emitter.pulse_fwhm_ns * random.normal());
     for (Echo& echo : echoes) {
-      const double wider_m = echo.epw_m * stretch;
+      const double wider_m = std::max(-echo.epw_m, echo.epw_per_width_m * stretch);
       echo.epw_m += wider_m;
+      echo.peak_w += echo.signal_w() * echo.peak_per_width * stretch;
       if (settings.detection.range_mode == RangeMode::kLeadingEdge) echo.range_m -= wider_m / 4.0;
     }
   }

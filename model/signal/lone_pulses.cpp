@@ -91,6 +91,7 @@ std::optional<Echo> loneEcho(const Pulse& pulse, const Receiver& receiver, const
   if (!(ratio > 1.0)) return std::nullopt;
   core::log2Of(std::span(&log, 1), std::span(&log, 1));
   widthsOf(1, widthOf_m(settings), edgeOf(settings), &log, &pulse.range_m, &echo.range_m, &echo.epw_m);
+  echo.epw_per_width_m = echo.epw_m;
   return echo;
 }
 

@@ -8,19 +8,34 @@ namespace model {
 namespace {
 
 void join(Stretch& into, const Stretch& other) {
-  into.rise_m = std::min(into.rise_m, other.rise_m);
-  into.fall_m = std::max(into.fall_m, other.fall_m);
+  if (other.rise_m < into.rise_m) {
+    into.rise_m = other.rise_m;
+    into.rise_per_width_m = other.rise_per_width_m;
+  }
+  if (other.fall_m > into.fall_m) {
+    into.fall_m = other.fall_m;
+    into.fall_per_width_m = other.fall_per_width_m;
+  }
   if (other.peak_w <= into.peak_w) return;
   into.peak_w = other.peak_w;
   into.noise_w = other.noise_w;
   into.peak_m = other.peak_m;
+  into.peak_per_width = other.peak_per_width;
 }
 
 /// The stretch that would be reported so, its peak where its range is.
 Stretch stretchOf(const Echo& echo, RangeMode mode) {
   const double width_m = echo.epw_m / 2.0;  // EPW is not halved
   const double rise_m = mode == RangeMode::kLeadingEdge ? echo.range_m : echo.range_m - 0.5 * width_m;
-  return {rise_m, rise_m + width_m, echo.range_m, echo.peak_w, echo.noise_w};
+  const double edge_per_width_m = echo.epw_per_width_m / 4.0;  // as if both did the same
+  return {.rise_m = rise_m,
+          .fall_m = rise_m + width_m,
+          .peak_m = echo.range_m,
+          .peak_w = echo.peak_w,
+          .noise_w = echo.noise_w,
+          .rise_per_width_m = -edge_per_width_m,
+          .fall_per_width_m = edge_per_width_m,
+          .peak_per_width = echo.peak_per_width};
 }
 
 }  // namespace
@@ -56,6 +71,8 @@ Echo echoOf(const Stretch& stretch, RangeMode mode) {
   echo.epw_m = 2.0 * (stretch.fall_m - stretch.rise_m);  // r = c t / 2, so c·Δt = 2·Δr
   echo.peak_w = stretch.peak_w;
   echo.noise_w = stretch.noise_w;
+  echo.epw_per_width_m = 2.0 * (stretch.fall_per_width_m - stretch.rise_per_width_m);
+  echo.peak_per_width = stretch.peak_per_width;
   return echo;
 }
 

@@ -23,6 +23,9 @@ constexpr int kLanes = 8;
 /// peak.
 constexpr double kTail = 0.01;
 constexpr double kLogOfNothing = -700.0;
+/// No edge moves by more than so many widths per relative width: where the level touches a summit that overlapping
+/// pulses make, the derivative knows no bound, and the sensor a last echo.
+constexpr double kMostPerWidth = 2.0;
 constexpr double kBinsPerWidth = 100.0;  // merging pulses within a bin changes the variance by less than 1e-5
 
 double totalOf(std::span<const Pulse> pulses) {
@@ -256,17 +259,25 @@ void WaveformPart::addMeasured(std::span<const Pulse> pulses) {
   }
 }
 
+/// How much ln s gains per relative width of all pulses, by its slope and bend per step. Of s = Σ P_i exp(-a (r -
+/// r_i)²) with a = 4 ln 2 / w² it is w ∂s/∂w / s = Σ P_i 2a (r - r_i)² exp(…) / s = 1 + s''/(2a s), whatever the P_i
+/// and r_i are.
+double WaveformPart::logPerWidth(double slope, double bend) const {
+  const double a = kFourLn2 / (form_.fwhm_m * form_.fwhm_m);
+  return 1.0 + (bend + slope * slope) / (2.0 * a * step_m_ * step_m_);
+}
+
 /// Where log s crosses the level between two samples, by the cubic through these and the next one on either side. The
 /// cubic is taken as its chord and what it is above that (Newton's form), and the crossing found as a fixed point.
-double WaveformPart::crossing(std::size_t below, std::size_t above, double log_level) const {
+WaveformPart::Crossing WaveformPart::crossing(std::size_t below, std::size_t above, double log_level) const {
   const double y0 = logAt(below), y1 = logAt(above);
   const bool forwards = above > below;
   const std::size_t beyond = forwards ? above + 1 : above - 1, before = forwards ? below - 1 : below + 1;
-  double t = (log_level - y0) / (y1 - y0);
+  double t = (log_level - y0) / (y1 - y0), second = 0.0, third = 0.0;
   if (beyond < signal_.size() && before < signal_.size()) {  // an index before the first one wraps
     const double y2 = logAt(beyond), y_1 = logAt(before);
-    const double second = 0.5 * (y2 - 2.0 * y1 + y0);
-    const double third = y_1 > kLogOfNothing ? (y2 - 3.0 * y1 + 3.0 * y0 - y_1) / 6.0 : 0.0;
+    second = 0.5 * (y2 - 2.0 * y1 + y0);
+    third = y_1 > kLogOfNothing ? (y2 - 3.0 * y1 + 3.0 * y0 - y_1) / 6.0 : 0.0;
     for (int i = 0; i < 4; ++i) {
       // y(t) = y0 + t (y1 - y0) + t (t - 1) (second + third (t - 2)), t = -1, 0, 1, 2 at the four samples.
       const double bend = second + third * (t - 2.0);
@@ -277,19 +288,26 @@ double WaveformPart::crossing(std::size_t below, std::size_t above, double log_l
     t = std::clamp(t, 0.0, 1.0);
   }
   const double direction = forwards ? 1.0 : -1.0;
-  return start_m_ + (static_cast<double>(below) + direction * t) * step_m_;
+  const double bend = second + third * (t - 2.0);
+  const double slope = y1 - y0 + (2.0 * t - 1.0) * bend + t * (t - 1.0) * third;
+  const double gains = logPerWidth(slope, 2.0 * (bend + (2.0 * t - 1.0) * third));
+  const double most_m = kMostPerWidth * form_.fwhm_m;
+  return {start_m_ + (static_cast<double>(below) + direction * t) * step_m_,
+          slope > 0.0 ? std::clamp(-direction * gains / slope * step_m_, -most_m, most_m) : 0.0};
 }
 
 /// How far from a sample that is higher than its neighbours log s is highest, in steps, and how high: by the quartic
 /// through five samples, by Newton's method from the vertex of the parabola through three.
 WaveformPart::Summit WaveformPart::summitAt(std::size_t top) const {
   const double height = logAt(top);
-  const auto summit = [&](double steps, double log) { return Summit{top, steps, log, std::exp(log)}; };
-  if (top == 0 || top + 1 >= signal_.size()) return summit(0.0, height);
+  const auto summit = [&](double steps, double log, double per_width) {
+    return Summit{top, steps, log, std::exp(log), per_width};
+  };
+  if (top == 0 || top + 1 >= signal_.size()) return summit(0.0, height, 0.0);
   const double left = logAt(top - 1), right = logAt(top + 1);
   // y(t) = height + slope t + curve t² + third t³ + fourth t⁴
   double slope = 0.5 * (right - left), curve = 0.5 * (left - 2.0 * height + right), third = 0.0, fourth = 0.0;
-  if (curve >= 0.0) return summit(0.0, height);
+  if (curve >= 0.0) return summit(0.0, height, 0.0);
   double t = std::clamp(-0.5 * slope / curve, -0.5, 0.5);
   if (top >= 2 && top + 2 < signal_.size()) {
     const double far_left = logAt(top - 2), far_right = logAt(top + 2);
@@ -303,7 +321,8 @@ WaveformPart::Summit WaveformPart::summitAt(std::size_t top) const {
       t = std::clamp(t - (slope + t * (2.0 * curve + t * (3.0 * third + 4.0 * fourth * t))) / bend, -1.0, 1.0);
     }
   }
-  return summit(t, height + t * (slope + t * (curve + t * (third + t * fourth))));
+  const double bend = 2.0 * curve + t * (6.0 * third + 12.0 * fourth * t);
+  return summit(t, height + t * (slope + t * (curve + t * (third + t * fourth))), logPerWidth(0.0, bend));
 }
 
 const WaveformPart::Summit& WaveformPart::knownSummitAt(std::size_t top) const {
@@ -322,11 +341,23 @@ Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level
   Stretch stretch;
   stretch.peak_m = start_m_ + (static_cast<double>(top) + summit.steps) * step_m_;
   stretch.peak_w = summit.power_w;
+  stretch.peak_per_width = summit.power_per_width;
   if (level_w > 0.0) {
     const double log_level = std::log(level_w);
-    stretch.rise_m = begin > 0 ? crossing(begin - 1, begin, log_level) : start_m_;
-    stretch.fall_m =
-        end < signal_.size() ? crossing(end, end - 1, log_level) : start_m_ + static_cast<double>(end - 1) * step_m_;
+    const auto edge = [&](bool known, std::size_t below, std::size_t above, double otherwise_m) {
+      return known ? crossing(below, above, log_level) : Crossing{otherwise_m, 0.0};
+    };
+    const Crossing rise = edge(begin > 0, begin - 1, begin, start_m_);
+    const Crossing fall = edge(end < signal_.size(), end, end - 1, start_m_ + static_cast<double>(end - 1) * step_m_);
+    stretch.rise_m = rise.at_m;
+    stretch.rise_per_width_m = rise.per_width_m;
+    stretch.fall_m = fall.at_m;
+    stretch.fall_per_width_m = fall.per_width_m;
+  }
+  if (!form_.shape.isGaussian()) {  // as a lone pulse
+    stretch.rise_per_width_m = stretch.rise_m - stretch.peak_m;
+    stretch.fall_per_width_m = stretch.fall_m - stretch.peak_m;
+    stretch.peak_per_width = 0.0;
   }
   return stretch;
 }
@@ -336,8 +367,13 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
   if (lone_.power_w > 0.0) {
     const auto crossings = form_.shape.crossings(level_w / lone_.power_w);
     if (!crossings) return;
-    out.push_back({lone_.range_m + form_.fwhm_m * crossings->rise, lone_.range_m + form_.fwhm_m * crossings->fall,
-                   lone_.range_m, lone_.power_w});
+    const double rise_m = form_.fwhm_m * crossings->rise, fall_m = form_.fwhm_m * crossings->fall;
+    out.push_back({.rise_m = lone_.range_m + rise_m,
+                   .fall_m = lone_.range_m + fall_m,
+                   .peak_m = lone_.range_m,
+                   .peak_w = lone_.power_w,
+                   .rise_per_width_m = rise_m,
+                   .fall_per_width_m = fall_m});
     return;
   }
   const std::size_t before = out.size();
@@ -353,6 +389,8 @@ void WaveformPart::stretchesAbove(double level_w, std::vector<Stretch>& out) con
   const double half = step_m_ * std::sqrt(2.0 * std::max(0.0, std::log(tip.peak_w / level_w)) / curvature);
   tip.rise_m = tip.peak_m - half;
   tip.fall_m = tip.peak_m + half;
+  tip.rise_per_width_m = -half;
+  tip.fall_per_width_m = half;
   out.push_back(tip);
 }
 

@@ -16,6 +16,10 @@ struct Stretch {
   double peak_m = 0.0;
   double peak_w = 0.0;   ///< of the noise-free signal
   double noise_w = 0.0;  ///< that has been added to it
+  // Where every pulse is longer by a small share of its width, divided by that share:
+  double rise_per_width_m = 0.0;  ///< how far the rise moves, and
+  double fall_per_width_m = 0.0;  ///< the fall
+  double peak_per_width = 0.0;    ///< how much of itself the peak gains
 };
 
 /// What every pulse looks like on the range axis.
@@ -61,12 +65,18 @@ class WaveformPart {
   void findHighest();
   [[nodiscard]] std::size_t highestSample() const;
   [[nodiscard]] double logAt(std::size_t sample) const;
-  [[nodiscard]] double crossing(std::size_t below, std::size_t above, double log_level) const;
+  struct Crossing {
+    double at_m = 0.0;
+    double per_width_m = 0.0;
+  };
+  [[nodiscard]] Crossing crossing(std::size_t below, std::size_t above, double log_level) const;
+  [[nodiscard]] double logPerWidth(double slope, double bend) const;
   struct Summit {
     std::size_t top = static_cast<std::size_t>(-1);  ///< the highest sample
     double steps = 0.0;                              ///< from it
     double log = 0.0;                                ///< of s [ln W]
     double power_w = 0.0;
+    double power_per_width = 0.0;  ///< see Stretch
   };
   [[nodiscard]] Summit summitAt(std::size_t top) const;
   [[nodiscard]] const Summit& knownSummitAt(std::size_t top) const;

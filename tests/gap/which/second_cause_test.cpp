@@ -78,6 +78,14 @@ TEST_F(MissingOffset, IsTheBetterMemberBesideACauseThatDoesNothing) {
   EXPECT_LT(member.total_left, 0.1);
 }
 
+TEST_F(MissingOffset, DoesAsWellAloneAsBesideACauseThatDoesNothing) {
+  gap::Candidate offset = candidate("range-offset", 0.03), merging = candidate("echo-merging", 1.0);
+  gap::Candidate pair = gap::pairOf(merging, offset);
+  for (gap::Candidate* heard : {&offset, &merging, &pair}) judge_.hear(*heard);
+  EXPECT_TRUE(gap::doesAsWellAlone(judge_, judge_, offset, pair));
+  EXPECT_FALSE(gap::doesAsWellAlone(judge_, judge_, merging, pair));
+}
+
 // Fog behind a wrong power is two numbers; a cloud that stands in for them is four, and which of sixty causes the
 // second one is costs another.
 TEST(SecondCause, NeedsNoGainBesideACauseThatSaysMoreThanBoth) {

@@ -19,8 +19,8 @@ using test_support::SmallWorld;
 
 class Losses : public testing::Test {
  protected:
-  /// What the model itself measures, without three in ten echoes of every third two degrees of azimuth.
-  [[nodiscard]] model::Experiment lostInStripes() const {
+  /// What the model itself measures, without so many of a hundred echoes of every third two degrees of azimuth.
+  [[nodiscard]] model::Experiment lostInStripes(unsigned of_hundred = 30) const {
     model::Experiment experiment = world_.measuredBy(model_, 0.4);
     std::mt19937 random(1);
     for (const model::Sample& sample : experiment.samples) {
@@ -29,7 +29,7 @@ class Losses : public testing::Test {
       for (std::size_t i = 0; i < whole.size(); ++i) {
         const double azimuth_deg = whole.azimuth_rad[i] * 180.0 / std::numbers::pi;
         const bool in_stripe = static_cast<int>(std::floor(azimuth_deg / 2.0 + 300.0)) % 3 == 0;
-        if (!in_stripe || random() % 10 >= 3) kept.push_back(i);
+        if (!in_stripe || random() % 100 >= of_hundred) kept.push_back(i);
       }
       core::writeDetections(sample.measurements, core::selected(whole, kept));
     }
@@ -57,6 +57,16 @@ TEST_F(Losses, InStripesAreUneven) {
   EXPECT_NEAR(loss->mean, 0.1, 0.01);
   EXPECT_NEAR(loss->stddev, 0.3 * std::sqrt(2.0 / 9.0), 0.02);  // of 0.3 in a third of the beams
   EXPECT_NEAR(loss->unhurt, 2.0 / 3.0, 0.05);
+  EXPECT_NEAR(loss->period_deg.value_or(0.0), 6.0, 0.2);
+}
+
+// No beam loses enough to stand out; six degrees from stripe to stripe do.
+TEST_F(Losses, ThatAreRareShowInStripes) {
+  const auto loss = seenIn(lostInStripes(3), "detection-loss", {0.01});
+  ASSERT_TRUE(loss);
+  EXPECT_LT(loss->z, 6.0);
+  ASSERT_TRUE(loss->period_deg);
+  EXPECT_NEAR(*loss->period_deg, 6.0, 0.3);
 }
 
 TEST_F(Losses, AtRandomAreEven) { EXPECT_FALSE(seenIn(lostAnywhere(), "detection-loss", {0.1})); }

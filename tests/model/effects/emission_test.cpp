@@ -105,6 +105,33 @@ TEST(PulseJitter, PowerAndDurationScatterAsGiven) {
   EXPECT_NEAR(lab::deviation(wide) / lab::mean(wide) / (0.2 / lab::kFwhm_ns), 1.0, 0.02);
 }
 
+// A board so oblique that the footprint stretches the echo: longer pulses overlap more, and what the tilt adds to the
+// width stays. Held against sensors whose pulse is 1 % longer and shorter.
+TEST(PulseJitter, OfAStretchedEchoTheDurationChangesThePeakAndLessOfTheWidth) {
+  lab::Case setup = lab::boardWith(20, "beam-divergence", json::object());
+  setup.scene = json::array(
+      {lab::object("board", {{"type", "rectangle"}, {"width_m", 20}, {"height_m", 20}}, {20, 0, 0}, {86, 0, 0})});
+  setup.rays_per_beam = {101, 1};
+  setup.effects["pulse-broadening"] = json::object();
+  const auto ofPulse = [&](double of_fwhm) {
+    lab::Case longer = setup;
+    longer.sensor["emitter"]["pulse_fwhm_ns"] = of_fwhm * lab::kFwhm_ns;
+    return lab::fire(longer);
+  };
+  const core::Detections longer = ofPulse(1.01), shorter = ofPulse(0.99);
+  const auto perWidth = [](double more, double less) { return (more - less) / (more + less) / 0.01; };
+  const double of_width = perWidth(longer.epw_m.at(0), shorter.epw_m.at(0));
+  const double of_peak = perWidth(longer.intensity.at(0), shorter.intensity.at(0));
+  ASSERT_LT(of_width, 0.8);
+  ASSERT_GT(of_peak, 0.2);
+  setup.effects["pulse-jitter"] = {{"duration_stddev_ns", 0.2}};
+  setup.frames = 20000;
+  const core::Detections jittered = lab::fire(setup);
+  const auto scatter = [](const std::vector<double>& values) { return lab::deviation(values) / lab::mean(values); };
+  EXPECT_NEAR(scatter(jittered.epw_m) / (of_width * 0.2 / lab::kFwhm_ns), 1.0, 0.02);
+  EXPECT_NEAR(scatter(jittered.intensity) / (of_peak * 0.2 / lab::kFwhm_ns), 1.0, 0.02);
+}
+
 TEST(PulseJitter, PowerAndDurationAreIndependent) {
   lab::Case setup = lab::boardWith(20, "pulse-jitter", {{"power_stddev", 0.1}, {"duration_stddev_ns", 0.5}});
   setup.frames = 20000;

@@ -38,9 +38,9 @@ std::vector<Stretch> bruteForce(const std::vector<Pulse>& pulses, double level_w
   return stretches;
 }
 
-std::vector<Stretch> stretchesOf(std::vector<Pulse> pulses, double level_w, double lowest_w) {
+std::vector<Stretch> stretchesOf(std::vector<Pulse> pulses, double level_w, double lowest_w, double fwhm_m = kFwhm_m) {
   std::vector<Stretch> stretches;
-  for (const WaveformPart& part : partsOf(pulses, {kFwhm_m, {}}, lowest_w)) part.stretchesAbove(level_w, stretches);
+  for (const WaveformPart& part : partsOf(pulses, {fwhm_m, {}}, lowest_w)) part.stretchesAbove(level_w, stretches);
   return stretches;
 }
 
@@ -95,6 +95,24 @@ TEST(Waveform, SumsOfPulsesAgreeWithSlowSampling) {
         EXPECT_NEAR(got[i].peak_m, expected[i].peak_m, 5e-4);
       }
     }
+  }
+}
+
+// Against the difference of two waveforms, of pulses 0.2 % longer and shorter.
+TEST(Waveform, SaysWhatALongerPulseDoesToEdgesAndPeak) {
+  const std::vector<std::vector<Pulse>> scenes = {{{10.0, 20.0}},
+                                                  {{10.0, 20.0}, {10.3, 12.0}},
+                                                  {{10.0, 5.0}, {10.9, 3.0}},
+                                                  {{10.0, 9.0}, {10.2, 9.0}, {10.4, 9.0}, {10.6, 9.0}, {10.8, 9.0}}};
+  for (const auto& pulses : scenes) {
+    const auto got = stretchesOf(pulses, 1.0, 0.1);
+    const auto longer = stretchesOf(pulses, 1.0, 0.1, 1.002 * kFwhm_m);
+    const auto shorter = stretchesOf(pulses, 1.0, 0.1, 0.998 * kFwhm_m);
+    ASSERT_EQ(got.size(), 1u);
+    const auto slope = [&](double Stretch::*of) { return (longer.at(0).*of - shorter.at(0).*of) / 0.004; };
+    EXPECT_NEAR(got[0].rise_per_width_m, slope(&Stretch::rise_m), 0.02 * kFwhm_m) << pulses.size();
+    EXPECT_NEAR(got[0].fall_per_width_m, slope(&Stretch::fall_m), 0.02 * kFwhm_m) << pulses.size();
+    EXPECT_NEAR(got[0].peak_per_width, slope(&Stretch::peak_w) / got[0].peak_w, 0.01) << pulses.size();
   }
 }
 
