@@ -231,12 +231,10 @@ std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
           "Look at what the light passes in the sensor, and how that changes over the scan: the lens, the filter, the "
           "window, the mirror, the alignment of emitter and receiver."};
     case Contradiction::kOneStratum:
-      return ContradictionWords{"in one place",
-                                "one stratum, the first that is listed, deviates far beyond noise and the rest hardly "
-                                "does",
-                                "but it is not what deviates there",
-                                "Look at what is special in that place. Nothing that was tried makes a difference that "
-                                "small there and none elsewhere; more frames of it would show more."};
+      return ContradictionWords{
+          "in one place", "one part of the data (the first that is listed) deviates far beyond noise, the rest hardly",
+          "but it is not what deviates there",
+          "Look at what is special in that place; more frames of it would show more of the cause."};
     case Contradiction::kNone:
       break;
   }
