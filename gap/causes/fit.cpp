@@ -12,8 +12,10 @@ namespace {
 constexpr Reach kNear{.line = 0.12, .step = 0.06, .trials = 70};  // of the coarse optimum
 /// Of values that are nearly right: more frames.
 constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40, .trials_in_valley = 60};
-constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24};  // only to show whether a better fit is worth it
-constexpr unsigned kPlacesOfOne = 7;                               // all over the range of a cause with one number
+constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24, .holds_rays = true};  // is a better fit worth it?
+/// Of two causes of which one sends the rays other ways: that one was fitted alone, and the other one follows first.
+constexpr Reach kNearHeld{.line = 0.12, .step = 0.06, .trials = 70, .holds_rays = true};
+constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;
 constexpr int kCoarseFrames = 3;
 constexpr double kSharesOfMost[] = {0.003, 0.01, 0.03, 0.1, 0.3};  // at which one number of several is tried alone
@@ -143,7 +145,10 @@ std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, 
       return fitFrom(replay, one, own, from, progress);
     });
   const Objective objective(replay, hypothesis, evidence, progress);
-  return searched(objective, objective.unitOf(start), kNear);
+  std::vector<double> unit = objective.unitOf(start);
+  const std::size_t tracing = hypothesis.members.empty() ? 0 : objective.thatTraceAnew(unit).size();
+  if (tracing > 0 && tracing < unit.size()) unit = objective.unitOf(searched(objective, unit, kNearHeld));
+  return searched(objective, unit, kNear);
 }
 
 std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,

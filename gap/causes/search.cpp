@@ -158,13 +158,13 @@ struct Held {
 
 struct OptimiserCall {
   const Objective* objective;
-  std::optional<Held> held;
+  const std::vector<Held>* held;
   std::exception_ptr error;
   nlopt_opt optimiser;
 
   [[nodiscard]] std::vector<double> unitOf(std::vector<double> place) const {
     std::vector<double> unit = objective->edges().unitOf(std::move(place));
-    if (held) unit[held->index] = held->unit;
+    for (const Held& one : *held) unit[one.index] = one.unit;
     return unit;
   }
 };
@@ -191,10 +191,10 @@ struct Search {
 };
 
 Point searchedBy(const Search& search, const Objective& objective, std::vector<double> start,
-                 std::optional<Held> held = std::nullopt) {
+                 const std::vector<Held>& held = {}) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(search.algorithm, n), nlopt_destroy);
-  OptimiserCall call{&objective, held, nullptr, optimiser.get()};
+  OptimiserCall call{&objective, &held, nullptr, optimiser.get()};
   nlopt_set_min_objective(optimiser.get(), onTrial, &call);
   for (unsigned i = 0; i < n; ++i) {
     const double beyond = objective.edges().isEdge(i) ? 0.5 : 0.0;
@@ -208,6 +208,10 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
   nlopt_set_maxeval(optimiser.get(), search.trials);
   for (double& x : start) x = std::clamp(x, 1e-3, 1.0 - 1e-3);
   std::vector<double> place = objective.edges().edgesOf(std::move(start));
+  for (const Held& one : held) {  // NLopt leaves out what has no room
+    nlopt_set_lower_bound(optimiser.get(), static_cast<int>(one.index), place[one.index]);
+    nlopt_set_upper_bound(optimiser.get(), static_cast<int>(one.index), place[one.index]);
+  }
   double best = 0.0;
   nlopt_optimize(optimiser.get(), place.data(), &best);
   if (call.error) std::rethrow_exception(call.error);
@@ -219,12 +223,13 @@ Search subplex(const Reach& reach) { return {NLOPT_LN_SBPLX, reach.step, reach.t
 
 /// Subplex, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308), which follows the narrow valley that numbers of
 /// like effect make (how wet a surface is, and how flat the film), again and again while it leads on.
-Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
+Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach,
+                    const std::vector<Held>& held) {
   constexpr int kWalks = 3;
   constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
   constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
   constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
-  Point refined = searchedBy(subplex(reach), objective, start);
+  Point refined = searchedBy(subplex(reach), objective, start, held);
   if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
   const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * refined.discrepancy);
   double gained = leads_on;
@@ -240,7 +245,7 @@ Point refineSeveral(const Objective& objective, const std::vector<double>& start
 
 /// A count is one more or one less at once, and the other numbers follow it: no small step leads there. Goes on while
 /// that leads on.
-Point withOtherCounts(const Objective& objective, Point best, const Reach& reach) {
+Point withOtherCounts(const Objective& objective, Point best, const Reach& reach, const std::vector<Held>& held) {
   constexpr int kMostSteps = 6;
   for (const std::size_t count : objective.counts()) {
     for (const double one : {1.0, -1.0}) {
@@ -248,13 +253,23 @@ Point withOtherCounts(const Objective& objective, Point best, const Reach& reach
         std::vector<double> values = objective.valuesAt(best.unit);
         values[count] += one;
         const std::vector<double> start = objective.unitOf(values);
-        Point other = searchedBy(subplex(reach), objective, start, Held{count, start[count]});
+        std::vector<Held> all = held;
+        all.push_back({count, start[count]});
+        Point other = searchedBy(subplex(reach), objective, start, all);
         if (other.discrepancy >= best.discrepancy) break;
         best = std::move(other);
       }
     }
   }
   return best;
+}
+
+/// The numbers that stay where they are because every look would trace anew.
+std::vector<Held> heldBy(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
+  std::vector<Held> held;
+  if (!reach.holds_rays) return held;
+  for (const std::size_t i : objective.thatTraceAnew(start)) held.push_back({i, start[i]});
+  return held.size() < start.size() ? held : std::vector<Held>();
 }
 
 }  // namespace
@@ -294,16 +309,21 @@ bool smooth(const Hypothesis& hypothesis) {
                       [](const FreeParameter& p) { return p.azimuth || p.whole; });
 }
 
-bool Objective::tracesAnew(const std::vector<double>& unit) const {
+std::vector<std::size_t> Objective::thatTraceAnew(const std::vector<double>& unit) const {
   constexpr double kElsewhere = 0.25;
-  std::vector<double> other = unit;
-  for (double& x : other) x += x < 0.5 ? kElsewhere : -kElsewhere;
-  if (evidence_.samples.empty()) return false;
+  if (evidence_.samples.empty()) return {};
   const model::Sample& sample = *replay_.samples()[evidence_.samples.front()].sample;
   const auto keyAt = [&](const std::vector<double>& place) {
     return geometryKey(worldOf(replay_, hypothesis_, valuesAt(place)), sample);
   };
-  return keyAt(unit) != keyAt(other);
+  const auto key = keyAt(unit);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    std::vector<double> other = unit;
+    other[i] += other[i] < 0.5 ? kElsewhere : -kElsewhere;
+    if (keyAt(other) != key) numbers.push_back(i);
+  }
+  return numbers;
 }
 
 std::vector<std::vector<double>> evenPoints(std::size_t dimensions, unsigned count) {
@@ -339,7 +359,8 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
 
 std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
-  const Point refined = withOtherCounts(objective, refineSeveral(objective, start, reach), reach);
+  const std::vector<Held> held = heldBy(objective, start, reach);
+  const Point refined = withOtherCounts(objective, refineSeveral(objective, start, reach, held), reach, held);
   // A rugged objective may lead the refinement astray.
   return objective.valuesAt(refined.discrepancy < objective(start) ? refined.unit : start);
 }

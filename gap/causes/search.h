@@ -30,8 +30,9 @@ class Objective {
   [[nodiscard]] bool smooth() const { return gap::smooth(hypothesis_); }
   /// Which of its numbers are whole.
   [[nodiscard]] std::vector<std::size_t> counts() const;
-  /// Whether other numbers send the rays other ways: then every look takes long.
-  [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const;
+  /// Which of its numbers send the rays other ways: then every look takes long.
+  [[nodiscard]] std::vector<std::size_t> thatTraceAnew(const std::vector<double>& unit) const;
+  [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const { return !thatTraceAnew(unit).empty(); }
   [[nodiscard]] std::size_t dimensions() const { return hypothesis_.parameters.size(); }
 
  private:
@@ -64,6 +65,7 @@ struct Reach {
   int trials;                ///< and how many,
   int trials_in_valley = 0;  ///< and how many more along a valley, where the objective is smooth and a look takes no
                              ///< tracing
+  bool holds_rays = false;   ///< numbers that send the rays other ways stay where they are, if there are others
 };
 
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.

@@ -9,6 +9,7 @@
 #include "gap/which/belief.h"
 #include "gap/which/candidates.h"
 #include "gap/which/decision.h"
+#include "gap/which/partners.h"
 #include "gap/which/rivals.h"
 #include "gap/which/separation.h"
 #include "tests/gap/hypothesis_named.h"
@@ -74,6 +75,24 @@ TEST_F(Search, FindsWhatACauseDoesFirstWhereItSoonDoesTooMuch) {
   measure({{"aperture-offset", {{"offset_m", 0.051}}}}, {}, SmallWorld::narrowView());
   const gap::Scouted found = scouted(effect("aperture-offset"));
   EXPECT_NEAR(found.values[0], 0.051, 0.0002);
+}
+
+// A sensor that looks down by 4 degrees, and a range offset: a rough fit of both traces nothing.
+TEST_F(Search, OfTwoCausesLetsTheOneFollowThatSendsNoRaysOtherWays) {
+  measure({{"mounting-error", {{"pitch_deg", 4.0}}}, {"range-offset", {{"offset_m", 0.1}}}});
+  const gap::Candidate mounting{.hypothesis = effect("mounting-error"), .values = {0.0, 3.8}};
+  const gap::Candidate offset{.hypothesis = effect("range-offset"), .values = {0.02}};
+  const gap::Candidate pair = gap::pairOf(mounting, offset);
+  const core::SilentProgress progress;
+  const auto rough = gap::roughFitFrom(*replay_, pair.hypothesis, split_.fitted, pair.values, progress);
+  EXPECT_THAT(rough, testing::ElementsAre(testing::DoubleNear(0.0, 1e-9), testing::DoubleNear(3.8, 1e-9),
+                                          testing::DoubleNear(0.1, 0.03)));
+  const auto both = gap::fitFrom(*replay_, pair.hypothesis, split_.fitted, rough, progress);
+  const auto leftBy = [&](const std::vector<double>& values) {
+    return gap::discrepancyOf(*replay_, gap::worldOf(*replay_, pair.hypothesis, values), split_.fitted);
+  };
+  const double right = leftBy({0.0, 4.0, 0.1});
+  EXPECT_LT(leftBy(both) - right, 0.5 * (leftBy(rough) - right));
 }
 
 // One in five hundred shots: three frames of four samples hardly have such an echo, all that was measured has dozens.
