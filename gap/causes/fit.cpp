@@ -13,8 +13,6 @@ constexpr Reach kNear{.line = 0.12, .step = 0.06, .trials = 70};  // of the coar
 /// Of values that are nearly right: more frames.
 constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40, .trials_in_valley = 60};
 constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24, .holds_rays = true};  // is a better fit worth it?
-/// Of two causes of which one sends the rays other ways: that one was fitted alone, and the other one follows first.
-constexpr Reach kNearHeld{.line = 0.12, .step = 0.06, .trials = 70, .holds_rays = true};
 constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;
 constexpr int kCoarseFrames = 3;
@@ -26,6 +24,11 @@ Evidence onFewFrames(const Evidence& evidence) {
 
 Evidence fewOf(const Evidence& evidence) {
   return onFewFrames(spreadOver(evidence, kScoutedSamples, evidence.most_frames));
+}
+
+constexpr Reach holdingRays(Reach reach) {
+  reach.holds_rays = true;
+  return reach;
 }
 
 /// The offset of one set-up alone, as a hypothesis with one number.
@@ -146,8 +149,9 @@ std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, 
     });
   const Objective objective(replay, hypothesis, evidence, progress);
   std::vector<double> unit = objective.unitOf(start);
+  // Of two causes of which one sends the rays other ways, that one was fitted alone, and the other one follows first.
   const std::size_t tracing = hypothesis.members.empty() ? 0 : objective.thatTraceAnew(unit).size();
-  if (tracing > 0 && tracing < unit.size()) unit = objective.unitOf(searched(objective, unit, kNearHeld));
+  if (tracing > 0 && tracing < unit.size()) unit = objective.unitOf(searched(objective, unit, holdingRays(kNear)));
   return searched(objective, unit, kNear);
 }
 

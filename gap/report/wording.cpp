@@ -232,7 +232,8 @@ std::optional<ContradictionWords> wordsFor(Contradiction contradiction) {
           "window, the mirror, the alignment of emitter and receiver."};
     case Contradiction::kOneStratum:
       return ContradictionWords{
-          "in one place", "one part of the data (the first that is listed) deviates far beyond noise, the rest hardly",
+          "in one place",
+          "one part of the data (among those that are listed) deviates far beyond noise, the rest hardly",
           "but it is not what deviates there",
           "Look at what is special in that place; more frames of it would show more of the cause."};
     case Contradiction::kNone:
@@ -432,7 +433,7 @@ std::string unevenLossSentence(const UnevenLoss& loss) {
       "beyond chance), and {} of the beams lose less than half as many{}. No cause that was tried does that; look for "
       "what loses echoes in some directions only.",
       percent(loss.mean), loss.beams, percent(loss.stddev), percent(loss.unhurt),
-      loss.period_deg ? fmt::format("; that repeats itself every {:.3g}° of azimuth", *loss.period_deg) : "");
+      loss.period_deg ? fmt::format("; that comes and goes about every {:.2g}° of azimuth", *loss.period_deg) : "");
 }
 
 std::string nextExperimentSentence(const NextExperiment& next) {

@@ -39,11 +39,7 @@ std::vector<double> frequenciesOf(const std::vector<double>& values) {
   if (values.size() < kFewestValues) return {};
   std::vector<double> gaps;
   for (std::size_t i = 1; i < values.size(); ++i) gaps.push_back(values[i] - values[i - 1]);
-  const double span = values.back() - values.front();
-  const double highest = std::min(kMostPeriods / span, 0.5 / medianOf(gaps));
-  std::vector<double> frequencies;
-  for (double f = kFewestPeriods / span; f <= highest; f += kStep / span) frequencies.push_back(f);
-  return frequencies;
+  return frequenciesIn(values.back() - values.front(), 0.5 / medianOf(gaps));
 }
 
 /// Some of the residuals over one covariate, ready for many frequencies.
@@ -122,6 +118,13 @@ bool isKnown(const Covariate& covariate, const std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+std::vector<double> frequenciesIn(double span, double highest) {
+  std::vector<double> frequencies;
+  for (double f = kFewestPeriods / span; f <= std::min(kMostPeriods / span, highest); f += kStep / span)
+    frequencies.push_back(f);
+  return frequencies;
+}
 
 std::optional<Law> periodicLaw(const std::vector<Covariate>& covariates, const Residuals& fit, const Residuals& judge) {
   std::optional<Law> best;

@@ -8,6 +8,10 @@
 
 namespace gap {
 
+/// Frequencies that a wave over values of such a span is looked for with: from three periods in the span (what is
+/// longer is a curve) up to `highest`, five hundred periods at most, a fifth of a period over the whole span apart.
+[[nodiscard]] std::vector<double> frequenciesIn(double span, double highest);
+
 /// The wave over distance or azimuth that takes most of the fitted residuals, judged on the others: errors of counters,
 /// of phase measurements and of mirrors repeat themselves, and no smooth function follows them. The period is that of
 /// the least squares of a sine with a constant (generalised Lomb-Scargle periodogram: Zechmeister & Kürster 2009, A&A

@@ -12,6 +12,7 @@
 
 #include "core/parallel.h"
 #include "core/physics.h"
+#include "gap/which/periodic_law.h"
 #include "model/effects/effect.h"
 
 namespace gap {
@@ -24,9 +25,6 @@ constexpr double kStandsOut = 6.0;  // standard deviations, as of frames that do
 constexpr double kFewestBeams = 30.0;
 constexpr double kMostLost = 4.0;  // of what is expected of a beam, and so many more: single beams of which programs
                                    // differ lose everything and prove nothing
-constexpr double kFewestPeriods = 3.0;  // in the scan
-constexpr double kFrequencyStep = 0.2;  // of a period over the whole scan
-constexpr double kMostPeriods = 500.0;
 
 bool takesFromAllShotsAlike(const Candidate& cause) {
   const std::vector<Candidate> members = membersOf(cause);
@@ -117,25 +115,15 @@ Wave waveIn(const std::vector<Echoes>& beams, double besides, double period_deg)
   return {period_deg, 0.5 * squares, 2.0 * std::abs(sum) / shots};
 }
 
-/// Those that a scan of such a step can tell.
-std::vector<double> periodsOf_deg(const std::vector<Echoes>& beams, double step_deg) {
-  const auto [first, last] = std::minmax_element(
-      beams.begin(), beams.end(), [](const Echoes& a, const Echoes& b) { return a.azimuth_deg < b.azimuth_deg; });
-  const double span_deg = last->azimuth_deg - first->azimuth_deg;
-  const double most = std::min(kMostPeriods, 0.5 * span_deg / step_deg);
-  std::vector<double> periods_deg;
-  for (double periods = kFewestPeriods; periods <= most; periods += kFrequencyStep)
-    periods_deg.push_back(span_deg / periods);
-  return periods_deg;
-}
-
 /// Of the strongest wave, if chance makes none such among as many periods, and it is as uneven as `unevenLossIn` asks.
 std::optional<double> periodIn(const std::vector<Echoes>& beams, double step_deg, double lost, double besides) {
-  const std::vector<double> periods_deg = periodsOf_deg(beams, step_deg);
-  if (periods_deg.empty()) return std::nullopt;
-  std::vector<Wave> waves(periods_deg.size());
+  const auto [first, last] = std::minmax_element(
+      beams.begin(), beams.end(), [](const Echoes& a, const Echoes& b) { return a.azimuth_deg < b.azimuth_deg; });
+  const std::vector<double> frequencies = frequenciesIn(last->azimuth_deg - first->azimuth_deg, 0.5 / step_deg);
+  if (frequencies.empty()) return std::nullopt;
+  std::vector<Wave> waves(frequencies.size());
   core::parallelFor(waves.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) waves[i] = waveIn(beams, besides, periods_deg[i]);
+    for (std::size_t i = begin; i < end; ++i) waves[i] = waveIn(beams, besides, 1.0 / frequencies[i]);
   });
   const Wave& strongest =
       *std::max_element(waves.begin(), waves.end(), [](const Wave& a, const Wave& b) { return a.power < b.power; });

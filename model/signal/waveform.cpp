@@ -274,23 +274,23 @@ WaveformPart::Crossing WaveformPart::crossing(std::size_t below, std::size_t abo
   const bool forwards = above > below;
   const std::size_t beyond = forwards ? above + 1 : above - 1, before = forwards ? below - 1 : below + 1;
   double t = (log_level - y0) / (y1 - y0), second = 0.0, third = 0.0;
+  // y(t) = y0 + t (y1 - y0) + t (t - 1) (second + third (t - 2)), t = -1, 0, 1, 2 at the four samples.
+  const auto bendAt = [&](double at) { return second + third * (at - 2.0); };
+  const auto slopeAt = [&](double at) { return y1 - y0 + (2.0 * at - 1.0) * bendAt(at) + at * (at - 1.0) * third; };
   if (beyond < signal_.size() && before < signal_.size()) {  // an index before the first one wraps
     const double y2 = logAt(beyond), y_1 = logAt(before);
     second = 0.5 * (y2 - 2.0 * y1 + y0);
     third = y_1 > kLogOfNothing ? (y2 - 3.0 * y1 + 3.0 * y0 - y_1) / 6.0 : 0.0;
     for (int i = 0; i < 4; ++i) {
-      // y(t) = y0 + t (y1 - y0) + t (t - 1) (second + third (t - 2)), t = -1, 0, 1, 2 at the four samples.
-      const double bend = second + third * (t - 2.0);
-      const double slope = y1 - y0 + (2.0 * t - 1.0) * bend + t * (t - 1.0) * third;
+      const double slope = slopeAt(t);
       if (slope <= 0.0) break;
-      t -= (y0 + t * (y1 - y0) + t * (t - 1.0) * bend - log_level) / slope;
+      t -= (y0 + t * (y1 - y0) + t * (t - 1.0) * bendAt(t) - log_level) / slope;
     }
     t = std::clamp(t, 0.0, 1.0);
   }
   const double direction = forwards ? 1.0 : -1.0;
-  const double bend = second + third * (t - 2.0);
-  const double slope = y1 - y0 + (2.0 * t - 1.0) * bend + t * (t - 1.0) * third;
-  const double gains = logPerWidth(slope, 2.0 * (bend + (2.0 * t - 1.0) * third));
+  const double slope = slopeAt(t);
+  const double gains = logPerWidth(slope, 2.0 * (bendAt(t) + (2.0 * t - 1.0) * third));
   const double most_m = kMostPerWidth * form_.fwhm_m;
   return {start_m_ + (static_cast<double>(below) + direction * t) * step_m_,
           slope > 0.0 ? std::clamp(-direction * gains / slope * step_m_, -most_m, most_m) : 0.0};
@@ -344,11 +344,9 @@ Stretch WaveformPart::stretchAt(std::size_t begin, std::size_t end, double level
   stretch.peak_per_width = summit.power_per_width;
   if (level_w > 0.0) {
     const double log_level = std::log(level_w);
-    const auto edge = [&](bool known, std::size_t below, std::size_t above, double otherwise_m) {
-      return known ? crossing(below, above, log_level) : Crossing{otherwise_m, 0.0};
-    };
-    const Crossing rise = edge(begin > 0, begin - 1, begin, start_m_);
-    const Crossing fall = edge(end < signal_.size(), end, end - 1, start_m_ + static_cast<double>(end - 1) * step_m_);
+    const Crossing rise = begin > 0 ? crossing(begin - 1, begin, log_level) : Crossing{.at_m = start_m_};
+    const Crossing fall = end < signal_.size() ? crossing(end, end - 1, log_level)
+                                               : Crossing{.at_m = start_m_ + static_cast<double>(end - 1) * step_m_};
     stretch.rise_m = rise.at_m;
     stretch.rise_per_width_m = rise.per_width_m;
     stretch.fall_m = fall.at_m;
