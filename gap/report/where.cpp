@@ -108,7 +108,10 @@ void addWhere(report::Page& page, const Diagnosis& diagnosis) {
   page.section("Where do they differ?", "where");
   if (!diagnosis.present || diagnosis.where.empty()) {
     page.lead("All distances, directions, objects and settings were searched for a part of the data that deviates.");
-    page.paragraph("No part of the data deviates by more than its uncertainty and by enough to matter.");
+    page.paragraph(diagnosis.present
+                       ? "No part of the data deviates by itself: what the answer says shows only when all data are "
+                         "taken together."
+                       : "No part of the data deviates by more than its uncertainty and by enough to matter.");
     if (diagnosis.maps.empty()) return;
     page.beginDetails("Maps of the differences that are left");
   } else {

@@ -191,6 +191,15 @@ TEST(GapPage, OfAnUnknownCauseSaysWhichTwoComeNearerTogether) {
               HasSubstr("range-walk, explains 41 %, range-walk and cover-contamination together 83 %."));
 }
 
+TEST(GapPage, OfAGapThatNoPartShowsByItselfDoesNotSayThatNothingDeviates) {
+  gap::Diagnosis d = withCause(gap::VerdictKind::kUnknown, causeOf(gap::CauseKind::kEffect, "detection-loss", 0.7));
+  d.where.clear();
+  const std::string page = gap::reportHtml(d);
+  expectSoundPage(page);
+  EXPECT_THAT(page, HasSubstr("shows only when all data are taken together"));
+  EXPECT_THAT(page, Not(HasSubstr("by enough to matter")));
+}
+
 TEST(GapPage, OfAnUnknownCauseSaysWhatRepeatsItselfAndWhereToLookFirst) {
   gap::Diagnosis d = plainDiagnosis(gap::VerdictKind::kUnknown);
   d.rest = gap::Rest{.left = 1.0, .systematic = 0.98, .laws = {{"range", "bias", "m", 0.0, {}, 0.98}}};
