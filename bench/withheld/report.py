@@ -67,6 +67,12 @@ def markdown(rows, trivial, about):
     return "\n".join(lines) + "\n"
 
 
+def pictures_page(cases, fresh):
+    which = f"the last {len(cases)} cases that no build had seen (those of {sets.PICTURED} sets at most)" if fresh else f"these {len(cases)} cases"
+    return "\n".join(["", "## In pictures", "", f"Of {which}: what was said of which cause,", "and how often a confidence was right.", "",
+                      "![What was said of which cause](confusion.svg)", "", "![How often a confidence was right](reliability.svg)"]) + "\n"
+
+
 def sets_page(kept):
     """What the sets of fresh cases said so far, those of earlier versions beside the newest."""
     if not kept:
@@ -78,7 +84,7 @@ def sets_page(kept):
     return "\n".join(lines) + "\n"
 
 
-def write(out, rows, trivial, about, pictures=True, fresh=False):
+def write(out, rows, trivial, about, fresh=False):
     """Returns remarks for the person who runs it. `fresh`: no build had seen these cases, so they are kept as a set."""
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
@@ -89,14 +95,21 @@ def write(out, rows, trivial, about, pictures=True, fresh=False):
         "table": {name: [{"what": w, "wanted": t, **r} for w, t, r in score.table([x for x in rows if x["generator"] == name])]
                   for name in sorted({r["generator"] for r in rows})},
         "judges": [{"judge": name, **by_group} for name, by_group in trivial], "cases": rows})
+    kept = sets.read(out)
+    pictured = sets.pictured(kept) or rows
+    remarks = draw(out, pictured)  # of the newest sets: one alone has each cause once or twice
     parts = "\nWhat the parts of the diagnosis bring: [ablations.md](ablations.md).\n" if (out / "ablations.md").exists() else ""
-    (out / "README.md").write_text(markdown(rows, trivial, about) + parts + sets_page(sets.read(out)))
-    if not pictures:
-        return []
+    drawn = "" if remarks else pictures_page(pictured, fresh=bool(kept))
+    (out / "README.md").write_text(markdown(rows, trivial, about) + parts + drawn + sets_page(kept))
+    return remarks
+
+
+def draw(out, cases):
+    """Returns why it could not."""
     try:
         import pictures as drawn
     except ImportError as error:
         return [f"no pictures: {error.name} is not installed (apt install python3-matplotlib)"]
-    drawn.confusion(rows, out / "confusion.svg")
-    drawn.reliability(rows, out / "reliability.svg")
+    drawn.confusion(cases, out / "confusion.svg")
+    drawn.reliability(cases, out / "reliability.svg")
     return []

@@ -13,6 +13,7 @@ import packages
 import score
 
 NEWEST = 3  # sets of the last versions, pooled: programs of other weeks answer for themselves
+PICTURED = 10  # the newest, pooled
 
 
 def seed_of(about):
@@ -39,6 +40,10 @@ def read(out):
     """All sets, the newest first."""
     kept = [packages.read(path) for path in (out / "sets").glob("*.json")]
     return sorted(kept, key=lambda s: (s["date"], seed_of(s)), reverse=True)
+
+
+def pictured(kept):
+    return [row for s in kept[:PICTURED] for row in s["cases"]]
 
 
 def brief(result):

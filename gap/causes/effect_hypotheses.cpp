@@ -174,6 +174,23 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
   }
 }
 
+/// A receiver that clips within its noise above the threshold loses echoes however strong they are, at random. That is
+/// no saturation, and where no intensity is measured it does what lost shots do.
+void keepAboveNoise(const Replay& replay, Hypothesis& saturation) {
+  constexpr double kNoise = 3.0;  // standard deviations: one echo in seven hundred
+  const std::vector<std::string>& on = saturation.sensors;
+  for (const ReplaySample& sample : replay.samples()) {
+    const std::string& sensor = sample.sample->sensor;
+    if (!on.empty() && std::find(on.begin(), on.end(), sensor) == on.end()) continue;
+    const model::Receiver& receiver = replay.baseline().model.sensor(sensor).receiver;
+    for (FreeParameter& p : saturation.parameters) {
+      if (p.name != "saturation_w") continue;
+      p.low = std::clamp(receiver.threshold_w + kNoise * receiver.noise_w, p.low, p.high);
+      p.start = std::max(p.start, p.low);
+    }
+  }
+}
+
 /// An uneven gain of the layers has the pattern that the data of some sensors show; how strong it is, is fitted. The
 /// gains of all layers would be as many numbers as there are layers.
 void addPattern(const Replay& replay, const model::EffectInfo& info, const std::vector<std::string>& seen_by,
@@ -231,6 +248,7 @@ void addEffectHypotheses(const Replay& replay, const std::vector<std::string>& o
   addParts(replay.experiment().sensors, list);
   for (Hypothesis& hypothesis : list) {
     if (hypothesis.name == "quantisation") readCounter(replay, hypothesis);
+    if (hypothesis.name == "saturation") keepAboveNoise(replay, hypothesis);
   }
   addPatterns(replay, only, list);
 }

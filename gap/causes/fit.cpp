@@ -11,7 +11,8 @@ namespace {
 
 constexpr Reach kNear{.line = 0.12, .step = 0.06, .trials = 70};  // of the coarse optimum
 /// Of values that are nearly right: more frames.
-constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40, .trials_in_valley = 60};
+constexpr Reach kFine{.line = 0.04, .step = 0.02, .trials = 40};
+constexpr int kTrialsInValley = 60;
 constexpr Reach kRough{.line = 0.12, .step = 0.06, .trials = 24, .holds_rays = true};  // is a better fit worth it?
 constexpr unsigned kPlacesOfOne = 7;  // all over the range of a cause with one number
 constexpr unsigned kPlacesOfSeveral = 10;
@@ -131,13 +132,26 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
 
 std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                            const std::vector<double>& values, const core::Progress& progress) {
+  return refineAlongValley(replay, hypothesis, evidence, refineBriefly(replay, hypothesis, evidence, values, progress),
+                           progress);
+}
+
+std::vector<double> refineBriefly(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                  const std::vector<double>& values, const core::Progress& progress) {
   if (values.empty()) return values;
   if (hypothesis.per_setup)
     return setupBySetup(replay, hypothesis, evidence, values, [&](const auto& one, const auto& own, const auto& start) {
-      return refine(replay, one, own, start, progress);
+      return refineBriefly(replay, one, own, start, progress);
     });
   const Objective objective(replay, hypothesis, evidence, progress);
   return searched(objective, objective.unitOf(values), kFine);
+}
+
+std::vector<double> refineAlongValley(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
+                                      const std::vector<double>& values, const core::Progress& progress) {
+  if (values.size() < 2 || hypothesis.per_setup) return values;
+  const Objective objective(replay, hypothesis, evidence, progress);
+  return walkedFrom(objective, objective.unitOf(values), kFine.step, kTrialsInValley);
 }
 
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,

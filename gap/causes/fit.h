@@ -44,4 +44,13 @@ struct Scouted {
 [[nodiscard]] std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                          const std::vector<double>& values, const core::Progress& progress);
 
+/// `refine` in two parts: the neighbourhood, and from there the valley that several numbers make. What is far behind
+/// after the first needs no second, which takes as long and brings little more.
+[[nodiscard]] std::vector<double> refineBriefly(const Replay& replay, const Hypothesis& hypothesis,
+                                                const Evidence& evidence, const std::vector<double>& values,
+                                                const core::Progress& progress);
+[[nodiscard]] std::vector<double> refineAlongValley(const Replay& replay, const Hypothesis& hypothesis,
+                                                    const Evidence& evidence, const std::vector<double>& values,
+                                                    const core::Progress& progress);
+
 }  // namespace gap

@@ -218,30 +218,7 @@ Point searchedBy(const Search& search, const Objective& objective, std::vector<d
   return {call.unitOf(std::move(place)), best};
 }
 
-/// Subplex, which a rugged objective does not lead astray.
 Search subplex(const Reach& reach) { return {NLOPT_LN_SBPLX, reach.step, reach.trials, 5e-4}; }
-
-/// Subplex, and then a simplex (Nelder & Mead 1965, Comput. J. 7, 308), which follows the narrow valley that numbers of
-/// like effect make (how wet a surface is, and how flat the film), again and again while it leads on.
-Point refineSeveral(const Objective& objective, const std::vector<double>& start, const Reach& reach,
-                    const std::vector<Held>& held) {
-  constexpr int kWalks = 3;
-  constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
-  constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
-  constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
-  Point refined = searchedBy(subplex(reach), objective, start, held);
-  if (reach.trials_in_valley == 0 || !objective.smooth() || objective.tracesAnew(start)) return refined;
-  const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * refined.discrepancy);
-  double gained = leads_on;
-  for (int walk = 0; walk < kWalks && gained >= leads_on; ++walk) {
-    Point further =
-        searchedBy({NLOPT_LN_NELDERMEAD, reach.step, reach.trials_in_valley, kLeastStep, kLeastGain * leads_on},
-                   objective, refined.unit);
-    gained = refined.discrepancy - further.discrepancy;
-    if (gained > 0.0) refined = std::move(further);
-  }
-  return refined;
-}
 
 /// A count is one more or one less at once, and the other numbers follow it: no small step leads there. Goes on while
 /// that leads on.
@@ -360,9 +337,30 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
 std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
   const std::vector<Held> held = heldBy(objective, start, reach);
-  const Point refined = withOtherCounts(objective, refineSeveral(objective, start, reach, held), reach, held);
-  // A rugged objective may lead the refinement astray.
+  const Point near = searchedBy(subplex(reach), objective, start, held);
+  const Point refined = withOtherCounts(objective, near, reach, held);
   return objective.valuesAt(refined.discrepancy < objective(start) ? refined.unit : start);
+}
+
+std::vector<double> walkedFrom(const Objective& objective, const std::vector<double>& start, double first_step,
+                               int trials) {
+  constexpr int kWalks = 3, kMostWalks = 12;
+  constexpr double kFar = 0.05;                        // of what is left: who gains so much has not arrived
+  constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
+  constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
+  constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
+  if (start.size() == 1 || !objective.smooth() || objective.tracesAnew(start)) return objective.valuesAt(start);
+  Point place{start, objective(start)};
+  const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * place.discrepancy);
+  double gained = leads_on;
+  const auto arrived = [&](int walks) { return walks >= kWalks && gained < kFar * place.discrepancy; };
+  for (int walk = 0; walk < kMostWalks && gained >= leads_on && !arrived(walk); ++walk) {
+    Point further =
+        searchedBy({NLOPT_LN_NELDERMEAD, first_step, trials, kLeastStep, kLeastGain * leads_on}, objective, place.unit);
+    gained = place.discrepancy - further.discrepancy;
+    if (gained > 0.0) place = std::move(further);
+  }
+  return objective.valuesAt(place.unit);
 }
 
 }  // namespace gap

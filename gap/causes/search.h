@@ -60,20 +60,24 @@ struct Point {
 
 /// How far a search goes from its start, in the unit cube, and how long.
 struct Reach {
-  double line;               ///< to both sides, where there is one number
-  double step;               ///< the first, where there are several,
-  int trials;                ///< and how many,
-  int trials_in_valley = 0;  ///< and how many more along a valley, where the objective is smooth and a look takes no
-                             ///< tracing
-  bool holds_rays = false;   ///< numbers that send the rays other ways stay where they are, if there are others
+  double line;              ///< to both sides, where there is one number
+  double step;              ///< the first, where there are several,
+  int trials;               ///< and how many
+  bool holds_rays = false;  ///< numbers that send the rays other ways stay where they are, if there are others
 };
 
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.
 inline constexpr int kLineBits = 13;
 
-/// The values that a bounded search around a place ends with (Brent on a line, else Subplex and Nelder-Mead of NLopt;
-/// counts one by one beyond it), never worse than the start.
+/// The values that a bounded search around a place ends with (Brent on a line, else Subplex of NLopt, which a rugged
+/// objective does not lead astray; counts one by one beyond it), never worse than the start.
 [[nodiscard]] std::vector<double> searched(const Objective& objective, const std::vector<double>& start,
                                            const Reach& reach);
+
+/// Where the narrow valley leads that several numbers of like effect make (how wet a surface is, and how flat the
+/// film): a simplex follows it (Nelder & Mead 1965, Comput. J. 7, 308), again and again while it leads on; never worse
+/// than the start. The start where the objective is not smooth, or a look takes tracing. `trials`: of each walk.
+[[nodiscard]] std::vector<double> walkedFrom(const Objective& objective, const std::vector<double>& start,
+                                             double first_step, int trials);
 
 }  // namespace gap

@@ -198,10 +198,10 @@ std::vector<std::vector<double>> startsFrom(const Replay& replay, const Hypothes
     if (starts.has("rate_per_beam")) starts.add({{"rate_per_beam", rate}});
     if (starts.has("rate_1_s")) starts.add({{"rate_1_s", rate / listening_s(sensor)}});
   }
-  if (const auto within_m = where.near_echoes_m) {
-    if (starts.has("separation_m")) starts.add({{"separation_m", *within_m}});
-    if (starts.has("dead_time_ns")) starts.add({{"dead_time_ns", 2.0 * *within_m / core::kMetresPerNanosecond}});
-  }
+  if (const auto within_m = where.near_echoes.peaks_within_m; within_m && starts.has("separation_m"))
+    starts.add({{"separation_m", *within_m}});
+  if (const auto within_m = where.near_echoes.within_m; within_m && starts.has("dead_time_ns"))
+    starts.add({{"dead_time_ns", 2.0 * *within_m / core::kMetresPerNanosecond}});
   if (starts.has("from_m") && starts.has("to_m")) addGates(where.gate, ranges, replay.resolution(kRange) / 2.0, starts);
   if (starts.has("visibility_m") && starts.has("backscatter_1_m_sr")) addFogs(sensor.emitter.wavelength_nm, starts);
   if (starts.has("centre_x_m") && starts.has("centre_y_m")) addClouds(azimuths, half_deg, where.unexpected, starts);

@@ -6,7 +6,6 @@
 
 #include "gap/distance/settle.h"
 #include "gap/where/moved_echoes.h"
-#include "gap/where/near_echoes.h"
 
 namespace gap {
 
@@ -150,7 +149,7 @@ WhereResult whereIn(const Replay& replay, const World& world, std::uint64_t seed
   for (const ResidualTable& table : result.tables) {
     if (table.component == "missing") {
       result.gate = gateIn(replay, table);
-      result.near_echoes_m = lossOfNearEchoes_m(replay, table, result.expected);
+      result.near_echoes = lossOfNearEchoes(replay, table, result.expected);
     }
     result.largest_steps = std::max({result.largest_steps, table.excess(), table.commonShift()});
   }

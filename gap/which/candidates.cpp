@@ -127,17 +127,18 @@ std::vector<double> orAsCounted(const Judge& exact, const Hypothesis& hypothesis
 }
 
 /// The best of three searches: around the values that few beams led to, around what the residual map suggests (a sector
-/// may have ended between two of the few), and in the valley that two numbers make.
+/// may have ended between two of the few), and in the valley that two numbers make. `may_lead`: it is not far behind.
 std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
-                              const Valleys* valleys, const core::Progress& progress) {
+                              const Valleys* valleys, bool may_lead, const core::Progress& progress) {
+  const auto refineBy = may_lead ? refine : refineBriefly;
   const Evidence evidence = splitFor(judge, candidate.hypothesis).refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
     return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
   };
-  std::vector<double> refined = refine(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
+  std::vector<double> refined = refineBy(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
   if (!candidate.hypothesis.members.empty() || candidate.hypothesis.per_setup) return refined;
   const auto refineFrom = [&](const std::vector<double>& start) {
-    std::vector<double> other = refine(judge.replay, candidate.hypothesis, evidence, start, progress);
+    std::vector<double> other = refineBy(judge.replay, candidate.hypothesis, evidence, start, progress);
     if (distance(other, evidence) < distance(refined, evidence)) refined = std::move(other);
   };
   if (valleys != nullptr) {
@@ -318,9 +319,12 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
   };
   std::optional<Valleys> valleys;
   const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
+    const double best = candidates.front().merit;
     core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
       Candidate& candidate = candidates[from + c];
-      if (refined) candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, progress);
+      const bool may_lead = candidate.merit >= best - kRival;
+      if (refined)
+        candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, may_lead, progress);
       candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
       judge.hear(candidate);
     });

@@ -18,7 +18,9 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kOfEachMember = 5;
+constexpr std::size_t kBestAlone = 4;    // as fitted alone, each may be far off beside another: all are fitted there
 constexpr double kTooFarBehind = 0.3;    // of what the exchanged member brings to the fitted samples
+constexpr double kMayLead = 0.15;        // in merit
 constexpr std::size_t kFittedWell = 12;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.
@@ -47,31 +49,35 @@ std::vector<Candidate> asCountedBeside(const Judge& exact, const Candidate& kept
   return counted;
 }
 
-/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept. Of each name the
-/// nearest form, and the usual one: fitted alone, a form with more numbers may come nearer and have nothing to say
-/// here.
-std::vector<Candidate> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
-                                     const std::vector<Candidate>& singles, const core::Progress& progress) {
-  std::vector<Candidate> nearest;
+/// A pair with a member exchanged, and what it may leave of the fitted samples to be fitted to the end.
+struct Exchanged {
+  Candidate pair;
+  double most_left;
+  bool best_alone = false;  ///< the cause that came in is one of the best alone
+};
+
+/// Causes of other names that, as they were fitted alone, come nearest beside the one that is kept, and those that are
+/// best alone. Of each name the nearest form, and the usual one: fitted alone, a form with more numbers may come nearer
+/// and have nothing to say here.
+std::vector<Exchanged> nearestBeside(const Judge& quick, const Candidate& kept, const Candidate& member,
+                                     const std::vector<Candidate>& singles, double most_left,
+                                     const core::Progress& progress) {
+  std::vector<Exchanged> nearest;
   std::map<std::string, bool> has_usual;  // by name
   for (const Partner& partner : partnersOf(quick, kept, singles, progress)) {
     const Candidate& single = singles[partner.single];
     const std::string& name = single.hypothesis.name;
     const bool usual = single.hypothesis.variant.empty();
     const auto known = has_usual.find(name);
-    const bool wanted = known == has_usual.end() ? has_usual.size() < kOfEachMember : usual && !known->second;
+    const bool best_alone = usual && partner.single < kBestAlone;
+    const bool new_name = known == has_usual.end();
+    const bool wanted = new_name ? best_alone || has_usual.size() < kOfEachMember : usual && !known->second;
     if (!wanted || name == member.hypothesis.name) continue;
-    nearest.push_back(pairOf(kept, single));
+    nearest.push_back({pairOf(kept, single), most_left, best_alone});
     has_usual[name] = usual;
   }
   return nearest;
 }
-
-/// A pair with a member exchanged, and what it may leave of the fitted samples to be fitted to the end.
-struct Exchanged {
-  Candidate pair;
-  double most_left;
-};
 
 /// Those that come nearest once they were fitted roughly, unless they are so far behind the known pair that no fit to
 /// the end helps, which takes as long as that of the known pair.
@@ -80,11 +86,17 @@ std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Exchanged>
   std::vector<std::pair<double, std::size_t>> order(others.size());
   core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
     Candidate& other = others[i].pair;
-    const double at_first = quick.leftOfFitted(other.hypothesis, other.values);
-    auto values = roughFitFrom(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
-    const double left = quick.leftOfFitted(other.hypothesis, values);
-    if (left < at_first) other.values = std::move(values);  // few shots of few samples hardly know a rare echo
-    order[i] = {std::min(left, at_first), i};
+    double least = quick.leftOfFitted(other.hypothesis, other.values);
+    const auto fitBy = [&](const auto& fit) {
+      auto values = fit(quick.replay, other.hypothesis, quick.split.fitted, other.values, progress);
+      const double left = quick.leftOfFitted(other.hypothesis, values);
+      if (left >= least) return;  // few shots of few samples hardly know a rare echo
+      other.values = std::move(values);
+      least = left;
+    };
+    fitBy(roughFitFrom);
+    if (others[i].best_alone && least > others[i].most_left) fitBy(fitFrom);
+    order[i] = {least, i};
   });
   std::erase_if(order, [&](const auto& one) { return one.first > others[one.second].most_left; });
   std::sort(order.begin(), order.end());
@@ -106,18 +118,25 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
   for (const std::size_t kept : {0U, 1U}) {
     const double alone = quick.leftOfFitted(members[kept].hypothesis, members[kept].values);
     const double most_left = of_pair + kTooFarBehind * std::max(0.0, alone - of_pair);
-    for (Candidate& other : nearestBeside(quick, members[kept], members[1 - kept], known, progress))
-      exchanged.push_back({std::move(other), most_left});
+    for (Exchanged& other : nearestBeside(quick, members[kept], members[1 - kept], known, most_left, progress))
+      exchanged.push_back(std::move(other));
     for (const Candidate& counted : asCountedBeside(exact, members[kept], singles))
       exchanged.push_back({pairOf(members[kept], counted), std::numeric_limits<double>::infinity()});
   }
   std::vector<Candidate> others = nearestRoughly(quick, std::move(exchanged), progress);
-  core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
-    Candidate& other = others[i];
-    other.values = refine(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);
-    other.total_left = gaps.leftIn(worldOf(exact.replay, other.hypothesis, other.values));
-    exact.hear(other);
-  });
+  const auto refineBy = [&](const auto& search, double least_merit) {
+    core::parallelFor(others.size(), 1, [&](std::size_t i, std::size_t) {
+      Candidate& other = others[i];
+      if (other.merit < least_merit) return;
+      other.values = search(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);
+      other.total_left = gaps.leftIn(worldOf(exact.replay, other.hypothesis, other.values));
+      exact.hear(other);
+    });
+  };
+  refineBy(refineBriefly, -std::numeric_limits<double>::infinity());
+  double best = pairs.front().merit;
+  for (const Candidate& other : others) best = std::max(best, other.merit);
+  refineBy(refineAlongValley, best - kMayLead);
   for (Candidate& other : others) takePair(std::move(other), pairs);
   sortByMerit(pairs);
 }

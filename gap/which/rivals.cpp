@@ -25,15 +25,19 @@ std::size_t formsOf(const Hypothesis& hypothesis) {
 }
 
 /// Free numbers that are not where the cause is absent (an effect may have several mechanisms, of which one is at work,
-/// however little: a delay of milliseconds, of those that may be a second). One at least, if it has any.
+/// however little: a delay of milliseconds, of those that may be a second). One at least, if it has any, and the ends
+/// of its sector, which are places.
 double numbersSaid(const Candidate& cause) {
   constexpr double kNothing = 0.01;  // of the range
-  double numbers = 0.0;
+  double places = 0.0, at_work = 0.0;
   for (std::size_t i = 0; i < cause.values.size(); ++i) {
     const FreeParameter& p = cause.hypothesis.parameters[i];
-    numbers += std::abs(cause.values[i] - p.absent_at) > kNothing * (p.high - p.low) || p.logarithmic ? 1.0 : 0.0;
+    const bool absent = std::abs(cause.values[i] - p.absent_at) <= kNothing * (p.high - p.low) && !p.logarithmic;
+    places += p.azimuth ? 1.0 : 0.0;
+    at_work += p.azimuth || absent ? 0.0 : 1.0;
   }
-  return std::max(cause.values.empty() ? 0.0 : 1.0, numbers);
+  const bool only_places = places == static_cast<double>(cause.values.size());
+  return places + (only_places ? 0.0 : std::max(1.0, at_work));
 }
 
 /// In how many ways so many can be chosen, as a logarithm.

@@ -300,10 +300,14 @@ TEST_F(Search, FollowsTheNarrowValleyOfNumbersOfLikeEffect) {
   const auto forms = gap::hypothesesFor(*replay_, {"surface-moisture"});
   const auto film = std::find_if(forms.begin(), forms.end(), [](const auto& h) { return h.variant == "other film"; });
   ASSERT_NE(film, forms.end());
-  const auto found = gap::refine(*replay_, *film, split_.refined, {0.4, 50.0, 0.02}, core::SilentProgress());
+  const std::vector<double> start{0.4, 50.0, 0.02};
+  const auto near = gap::refineBriefly(*replay_, *film, split_.refined, start, core::SilentProgress());
+  const auto found = gap::refineAlongValley(*replay_, *film, split_.refined, near, core::SilentProgress());
+  EXPECT_GT(std::abs(near[1] - 30.0), 1.5);  // half way
   EXPECT_NEAR(found[0], 0.5, 0.02);
   EXPECT_NEAR(found[1], 30.0, 1.5);
   EXPECT_NEAR(found[2], 0.03, 0.002);
+  EXPECT_EQ(gap::refine(*replay_, *film, split_.refined, start, core::SilentProgress()), found);
 }
 
 // A lobe is absent where all of the reflection is diffuse, at the upper end of that share.

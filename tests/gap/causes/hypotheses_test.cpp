@@ -104,6 +104,23 @@ TEST(Hypotheses, APulseMayJitterInItsPowerAloneOrInItsDurationAlone) {
                       {"duration_stddev_ns", "power_stddev"}, {"duration_stddev_ns"}, {"power_stddev"}}));
 }
 
+// Noise of 2 nW takes one echo in seven hundred of a receiver that clips 6 nW above its threshold of 20 nW: nearer to
+// it, clipping would be another name for lost shots.
+TEST(Hypotheses, AReceiverClipsAboveItsNoise) {
+  const SmallWorld world;
+  const auto model = SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  std::size_t forms = 0;
+  for (const gap::Hypothesis& hypothesis : gap::hypothesesFor(replay, {"saturation"})) {
+    if (hypothesis.name != "saturation") continue;
+    ASSERT_EQ(hypothesis.parameters.front().name, "saturation_w");
+    EXPECT_DOUBLE_EQ(hypothesis.parameters.front().low, 26e-9);
+    ++forms;
+  }
+  EXPECT_EQ(forms, 3U);
+}
+
 // A sensor that reports the leading edge already walks as it is; its calibration is a constant offset, which has a
 // name.
 TEST(Hypotheses, OfASensorThatReportsTheLeadingEdgeOnlyALinearFrontIsARangeWalk) {

@@ -102,4 +102,20 @@ TEST(Exchanges, ARareEchoHasTheRateThatIsCountedBesideTheOtherMember) {
   EXPECT_NEAR(exchanged->explained, 1.0, 0.1);
 }
 
+// A light that blinds, too strong because it stood for the echoes that the saturation takes, beside which a saturation
+// that was fitted alone takes far too much. Both are far from where they are together, and a rough fit of all four
+// numbers ends half way.
+TEST(Exchanges, OfTheBestAloneOneThatIsFarFromItsPlaceBesideTheOtherIsFittedToTheEnd) {
+  const auto pairs =
+      exchanged({{"saturation", {{"saturation_w", 4e-6}}},
+                 {"blinding", {{"azimuth_deg", 0.0}, {"irradiance", 0.5}, {"width_deg", 11.0}}}},
+                {{"detection-loss", {0.08}, ""}, {"blinding", {0.5, 1.8, 10.0}, ""}, {"saturation", {1e-6}, ""}});
+  const auto exchanged = std::find_if(pairs.begin(), pairs.end(), [](const gap::Candidate& pair) {
+    return pair.hypothesis.name == "blinding + saturation";
+  });
+  ASSERT_NE(exchanged, pairs.end());
+  EXPECT_NEAR(exchanged->values[3], 4e-6, 0.2e-6);
+  EXPECT_GT(exchanged->explained, 0.9);
+}
+
 }  // namespace

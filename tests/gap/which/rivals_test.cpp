@@ -166,4 +166,25 @@ TEST(RivalsAlone, OfOneNumberEachLeadsTheOneThatHasNoOtherToSay) {
   EXPECT_EQ(candidates.front().hypothesis.name, "speckle");
 }
 
+// Dirt of a few per mille in the middle of the view says three numbers, though all of them are small: a cause that says
+// the same with two is plainer.
+TEST_F(Rivals, LittleDirtInASectorSaysThreeNumbers) {
+  gap::Candidate dirt{.hypothesis = test_support::hypothesisNamed(gap::hypothesesFor(replay_, {"cover-contamination"}),
+                                                                  "cover-contamination"),
+                      .values = {0.004, -0.5, 0.6}};
+  gap::Candidate of_two{.hypothesis = dirt.hypothesis, .values = {0.08, 0.05}};
+  of_two.hypothesis.name = "the same in two numbers";
+  of_two.hypothesis.parameters = {{.name = "a", .high = 1.0}, {.name = "b", .high = 1.0}};
+  of_two.hypothesis.apply = [same = dirt.hypothesis](gap::World& world, const std::vector<double>& values) {
+    same.apply(world, {values[0] * values[1], -0.5, 0.6});
+  };
+  std::vector<gap::Candidate> candidates{dirt, of_two};
+  for (gap::Candidate& candidate : candidates) {
+    judge_.hear(candidate);
+    candidate.merit = 1.0;
+  }
+  gap::leadByPlainest(judge_, judge_, candidates);
+  EXPECT_EQ(candidates.front().hypothesis.name, of_two.hypothesis.name);
+}
+
 }  // namespace
