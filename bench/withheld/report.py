@@ -68,6 +68,7 @@ def markdown(rows, trivial, about):
 
 
 def pictures_page(cases, fresh):
+    """Shows what `draw` drew. `fresh`: these are cases of kept sets."""
     which = f"the last {len(cases)} cases that no build had seen (those of {sets.PICTURED} sets at most)" if fresh else f"these {len(cases)} cases"
     return "\n".join(["", "## In pictures", "", f"Of {which}: what was said of which cause,", "and how often a confidence was right.", "",
                       "![What was said of which cause](confusion.svg)", "", "![How often a confidence was right](reliability.svg)"]) + "\n"
@@ -96,16 +97,16 @@ def write(out, rows, trivial, about, fresh=False):
                   for name in sorted({r["generator"] for r in rows})},
         "judges": [{"judge": name, **by_group} for name, by_group in trivial], "cases": rows})
     kept = sets.read(out)
-    pictured = sets.pictured(kept) or rows
-    remarks = draw(out, pictured)  # of the newest sets: one alone has each cause once or twice
+    cases = sets.pictured(kept) or rows  # one set alone has each cause once or twice
+    remarks = draw(out, cases)
     parts = "\nWhat the parts of the diagnosis bring: [ablations.md](ablations.md).\n" if (out / "ablations.md").exists() else ""
-    drawn = "" if remarks else pictures_page(pictured, fresh=bool(kept))
-    (out / "README.md").write_text(markdown(rows, trivial, about) + parts + drawn + sets_page(kept))
+    shown_there = "" if remarks else pictures_page(cases, fresh=bool(kept))
+    (out / "README.md").write_text(markdown(rows, trivial, about) + parts + shown_there + sets_page(kept))
     return remarks
 
 
 def draw(out, cases):
-    """Returns why it could not."""
+    """Returns remarks: why it could not."""
     try:
         import pictures as drawn
     except ImportError as error:
