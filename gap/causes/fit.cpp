@@ -132,8 +132,10 @@ Scouted scout(const Replay& replay, const Hypothesis& hypothesis, const Evidence
 
 std::vector<double> refine(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                            const std::vector<double>& values, const core::Progress& progress) {
-  return refineAlongValley(replay, hypothesis, evidence, refineBriefly(replay, hypothesis, evidence, values, progress),
-                           progress);
+  if (values.size() < 2 || hypothesis.per_setup) return refineBriefly(replay, hypothesis, evidence, values, progress);
+  const Objective objective(replay, hypothesis, evidence, progress);
+  const Point near = searched(objective, objective.unitOf(values), kFine);
+  return objective.valuesAt(walkedFrom(objective, near, kFine.step, kTrialsInValley).unit);
 }
 
 std::vector<double> refineBriefly(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -144,14 +146,15 @@ std::vector<double> refineBriefly(const Replay& replay, const Hypothesis& hypoth
       return refineBriefly(replay, one, own, start, progress);
     });
   const Objective objective(replay, hypothesis, evidence, progress);
-  return searched(objective, objective.unitOf(values), kFine);
+  return objective.valuesAt(searched(objective, objective.unitOf(values), kFine).unit);
 }
 
 std::vector<double> refineAlongValley(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                       const std::vector<double>& values, const core::Progress& progress) {
   if (values.size() < 2 || hypothesis.per_setup) return values;
   const Objective objective(replay, hypothesis, evidence, progress);
-  return walkedFrom(objective, objective.unitOf(values), kFine.step, kTrialsInValley);
+  const std::vector<double> unit = objective.unitOf(values);
+  return objective.valuesAt(walkedFrom(objective, {unit, objective(unit)}, kFine.step, kTrialsInValley).unit);
 }
 
 std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -165,15 +168,15 @@ std::vector<double> fitFrom(const Replay& replay, const Hypothesis& hypothesis, 
   std::vector<double> unit = objective.unitOf(start);
   // Of two causes of which one sends the rays other ways, that one was fitted alone, and the other one follows first.
   const std::size_t tracing = hypothesis.members.empty() ? 0 : objective.thatTraceAnew(unit).size();
-  if (tracing > 0 && tracing < unit.size()) unit = objective.unitOf(searched(objective, unit, holdingRays(kNear)));
-  return searched(objective, unit, kNear);
+  if (tracing > 0 && tracing < unit.size()) unit = searched(objective, unit, holdingRays(kNear)).unit;
+  return objective.valuesAt(searched(objective, unit, kNear).unit);
 }
 
 std::vector<double> roughFitFrom(const Replay& replay, const Hypothesis& hypothesis, const Evidence& evidence,
                                  const std::vector<double>& start, const core::Progress& progress) {
   if (start.empty()) return start;
   const Objective objective(replay, hypothesis, fewOf(evidence), progress);
-  return searched(objective, objective.unitOf(start), kRough);
+  return objective.valuesAt(searched(objective, objective.unitOf(start), kRough).unit);
 }
 
 double resolvedAt(const FreeParameter& parameter, double value) {

@@ -138,16 +138,16 @@ Point withOnsets(const Objective& objective, std::vector<Point> points, const Po
 }
 
 /// Nearer to the start again where a wide search leads away from a dip that was known.
-std::vector<double> refineOne(const Objective& objective, double start, double reach) {
+Point refineOne(const Objective& objective, double start, double reach) {
   constexpr std::uintmax_t kTrials = 24;
   constexpr double kNearer = 0.15;
   constexpr int kSearches = 3;
   const double known = objective({start});
   for (int search = 0; search < kSearches; ++search, reach *= kNearer) {
     Point found = lowestBetween(objective, std::max(0.0, start - reach), std::min(1.0, start + reach), kTrials);
-    if (found.discrepancy < known) return std::move(found.unit);
+    if (found.discrepancy < known) return found;
   }
-  return {start};
+  return {{start}, known};
 }
 
 /// A number that stays where it is, in the unit cube.
@@ -334,23 +334,23 @@ Point coarseSearch(const Objective& objective, const std::vector<std::vector<dou
                            [](const Point& a, const Point& b) { return a.discrepancy < b.discrepancy; });
 }
 
-std::vector<double> searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
-  if (start.size() == 1) return objective.valuesAt(refineOne(objective, start[0], reach.line));
+Point searched(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
+  if (start.size() == 1) return refineOne(objective, start[0], reach.line);
   const std::vector<Held> held = heldBy(objective, start, reach);
   const Point near = searchedBy(subplex(reach), objective, start, held);
-  const Point refined = withOtherCounts(objective, near, reach, held);
-  return objective.valuesAt(refined.discrepancy < objective(start) ? refined.unit : start);
+  Point refined = withOtherCounts(objective, near, reach, held);
+  Point at_start{start, objective(start)};
+  return refined.discrepancy < at_start.discrepancy ? refined : at_start;
 }
 
-std::vector<double> walkedFrom(const Objective& objective, const std::vector<double>& start, double first_step,
-                               int trials) {
+Point walkedFrom(const Objective& objective, Point start, double first_step, int trials) {
   constexpr int kWalks = 3, kMostWalks = 12;
   constexpr double kFar = 0.05;                        // of what is left: who gains so much has not arrived
   constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
   constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
   constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
-  if (start.size() == 1 || !objective.smooth() || objective.tracesAnew(start)) return objective.valuesAt(start);
-  Point place{start, objective(start)};
+  if (start.unit.size() == 1 || !objective.smooth() || objective.tracesAnew(start.unit)) return start;
+  Point place = std::move(start);
   const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * place.discrepancy);
   double gained = leads_on;
   const auto arrived = [&](int walks) { return walks >= kWalks && gained < kFar * place.discrepancy; };
@@ -360,7 +360,7 @@ std::vector<double> walkedFrom(const Objective& objective, const std::vector<dou
     gained = place.discrepancy - further.discrepancy;
     if (gained > 0.0) place = std::move(further);
   }
-  return objective.valuesAt(place.unit);
+  return place;
 }
 
 }  // namespace gap

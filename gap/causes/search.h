@@ -69,15 +69,14 @@ struct Reach {
 /// A line is searched to 2^-kLineBits of its length, 1e-4: coarser, and refits would end where they began.
 inline constexpr int kLineBits = 13;
 
-/// The values that a bounded search around a place ends with (Brent on a line, else Subplex of NLopt, which a rugged
-/// objective does not lead astray; counts one by one beyond it), never worse than the start.
-[[nodiscard]] std::vector<double> searched(const Objective& objective, const std::vector<double>& start,
-                                           const Reach& reach);
+/// Where a bounded search around a place ends (Brent on a line, else Subplex of NLopt, which a rugged objective does
+/// not lead astray; counts one by one beyond it), never worse than the start.
+[[nodiscard]] Point searched(const Objective& objective, const std::vector<double>& start, const Reach& reach);
 
 /// Where the narrow valley leads that several numbers of like effect make (how wet a surface is, and how flat the
 /// film): a simplex follows it (Nelder & Mead 1965, Comput. J. 7, 308), again and again while it leads on; never worse
-/// than the start. The start where the objective is not smooth, or a look takes tracing. `trials`: of each walk.
-[[nodiscard]] std::vector<double> walkedFrom(const Objective& objective, const std::vector<double>& start,
-                                             double first_step, int trials);
+/// than the start, whose discrepancy is known. The start where the objective is not smooth, or a look takes tracing.
+/// `trials`: of each walk.
+[[nodiscard]] Point walkedFrom(const Objective& objective, Point start, double first_step, int trials);
 
 }  // namespace gap
