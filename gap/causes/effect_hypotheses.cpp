@@ -178,10 +178,9 @@ void addEffects(const Replay& replay, const std::vector<std::string>& only, std:
 /// no saturation, and where no intensity is measured it does what lost shots do.
 void keepAboveNoise(const Replay& replay, Hypothesis& saturation) {
   constexpr double kNoise = 3.0;  // standard deviations: one echo in seven hundred
-  const std::vector<std::string>& on = saturation.sensors;
   for (const ReplaySample& sample : replay.samples()) {
     const std::string& sensor = sample.sample->sensor;
-    if (!on.empty() && std::find(on.begin(), on.end(), sensor) == on.end()) continue;
+    if (!isOn(saturation.sensors, sensor)) continue;
     const model::Receiver& receiver = replay.baseline().model.sensor(sensor).receiver;
     for (FreeParameter& p : saturation.parameters) {
       if (p.name != "saturation_w") continue;

@@ -44,7 +44,8 @@ double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::s
 /// Standard error of a difference of means, of which noise makes so much, with what no number of frames makes smaller.
 double errorOf(double squared_noise, const Replay& replay, const ReplaySample& sample, std::size_t cell,
                Channel channel, const CellStatistics& simulated) {
-  return std::sqrt(squared_noise + squaredFloor(replay, channel, simulated.mean(channel)) +
+  const double of_jumps = channel == kRange ? sample.jump_variance_m2[cell] : 0.0;
+  return std::sqrt(squared_noise + of_jumps + squaredFloor(replay, channel, simulated.mean(channel)) +
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 

@@ -76,6 +76,7 @@ Replay::Replay(const model::Experiment& experiment, const model::LidarModel& bas
     }
   }
   for (std::size_t s = 0; s < samples_.size(); ++s) pairWithBaseline(s);
+  addJumps();
 }
 
 void Replay::pairWithBaseline(std::size_t s) {
@@ -89,6 +90,7 @@ void Replay::pairWithBaseline(std::size_t s) {
   sample.layout = std::make_unique<CellLayout>(geometry->hits, sample.scene, chain, recorded);
   sample.statistics = sample.layout->statisticsOf(sample.measured, sample.beam_of);
   sample.power_deviation.resize(sample.layout->cells().size());
+  sample.jump_variance_m2.resize(sample.layout->cells().size());
   for (const model::Epistemic& epistemic : sample.sample->epistemic) addTolerance(sample, s, epistemic);
   addShareErrors(sample);
   addToleranceOfAir(sample, baseline_.model.sensor(sensor).emitter, sensor);
@@ -114,6 +116,21 @@ void Replay::addTolerance(ReplaySample& sample, std::size_t index, const model::
     sample.power_deviation[c] = std::hypot(sample.power_deviation[c], deviation);
   }
   sample.tolerances.push_back(std::move(tolerance));
+}
+
+void Replay::addJumps() {
+  if (!among(channels_, kRange)) return;
+  std::map<std::string, std::optional<Comb>> combs;  // by sensor
+  for (ReplaySample& sample : samples_) {
+    const std::string& sensor = sample.sample->sensor;
+    const auto known = combs.find(sensor);
+    const std::optional<Comb>& comb =
+        known != combs.end() ? known->second : combs.emplace(sensor, rangeComb(*this, {sensor})).first->second;
+    if (!comb || !comb->shown()) continue;
+    const double noise_m = baseline_.model.sensor(sensor).detection.range_noise_m;
+    for (std::size_t c = 0; c < sample.jump_variance_m2.size(); ++c)
+      sample.jump_variance_m2[c] = jumpVariance(comb->step, sample.rangeDeviation_m(c), noise_m);
+  }
 }
 
 Replay::Geometry Replay::geometryOf(const World& world, std::size_t sample) const {
@@ -250,6 +267,21 @@ core::Detections Replay::reported(const std::vector<model::Shot>& shots, const W
   if (!foreign_.empty() && !among(channels_, kEpw)) detections.epw_m.clear();
   if (!foreign_.empty() && !among(channels_, kIntensity)) detections.intensity.clear();
   return detections;
+}
+
+bool isOn(const std::vector<std::string>& sensors, const std::string& sensor) {
+  return sensors.empty() || std::find(sensors.begin(), sensors.end(), sensor) != sensors.end();
+}
+
+std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {
+  std::vector<double> ranges;
+  double step_m = replay.resolution(kRange);
+  for (const ReplaySample& sample : replay.samples()) {
+    if (!isOn(sensors, sample.sample->sensor)) continue;
+    ranges.insert(ranges.end(), sample.measured.range_m.begin(), sample.measured.range_m.end());
+    step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
+  }
+  return combOf(std::move(ranges), 0.5 * step_m);
 }
 
 std::vector<SetUp> setupsOf(const Replay& replay, const std::vector<std::size_t>& samples) {

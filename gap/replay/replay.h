@@ -3,12 +3,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
+#include "gap/replay/comb.h"
 #include "gap/replay/geometry_cache.h"
 #include "gap/replay/replay_sample.h"
 #include "gap/replay/world.h"
@@ -72,6 +74,8 @@ class Replay {
   [[nodiscard]] Geometry geometryOf(const World& world, std::size_t sample) const;
   /// Cells of a sample that was read, and what the baseline says of them.
   void pairWithBaseline(std::size_t sample);
+  /// What steps of the measured ranges, of which the baseline's profiles know nothing, make of the tolerances.
+  void addJumps();
   void addTolerance(ReplaySample& sample, std::size_t index, const model::Epistemic& epistemic) const;
   [[nodiscard]] std::vector<model::Shot> fire(const World& world, std::size_t sample, int frames,
                                               std::uint64_t seed) const;
@@ -96,6 +100,12 @@ class Replay {
   mutable std::unordered_map<std::string, Shots> fired_;  ///< of the proxy's baseline
   mutable std::size_t remembered_shots_ = 0;
 };
+
+/// Whether what is on these sensors, of which none named means all, is on this one.
+[[nodiscard]] bool isOn(const std::vector<std::string>& sensors, const std::string& sensor);
+/// The comb of all ranges that these sensors measured (none named: all), if it is coarser than the steps of their own
+/// profiles. [m]
+[[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors = {});
 
 /// Samples of one set-up: they share the errors of its reference.
 struct SetUp {

@@ -1,6 +1,7 @@
 #include "gap/replay/replay_sample.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -102,6 +103,16 @@ void keepTaken(const std::vector<std::uint32_t>& taken, std::vector<model::Shot>
     return place == taken.end() || *place != shot.beam;
   });
   for (model::Shot& shot : shots) shot.beam = static_cast<std::uint32_t>(placeOf(shot.beam) - taken.begin());
+}
+
+double ReplaySample::rangeDeviation_m(std::size_t cell) const {
+  double variance_m2 = 0.0;
+  for (const Tolerance& tolerance : tolerances) {
+    if (cell >= tolerance.range_per_unit.size()) continue;
+    const double moved_m = static_cast<double>(tolerance.range_per_unit[cell]) * (tolerance.high - tolerance.low);
+    variance_m2 += moved_m * moved_m / 12.0;
+  }
+  return std::sqrt(variance_m2);
 }
 
 void CommonChannels::add(const core::Detections& detections) {

@@ -38,11 +38,17 @@ struct ReplaySample {
   /// Of every cell: how far the power that it receives may be off, relative to it: as the reference moves within its
   /// epistemic intervals, and by the sub-rays. Large where an edge cuts the beam.
   std::vector<double> power_deviation;
+  /// Of every cell: how far the mean of its ranges may be off beside what the tolerances move it by, squared: a counter
+  /// of coarse steps, seen in the measured ranges, tells another step (jumpVariance).
+  std::vector<double> jump_variance_m2;
   std::vector<model::Beam> beams;
   std::vector<std::uint32_t> taken;     ///< which beams of the scan these are; empty: all of them
   std::vector<model::Beam> whole_scan;  ///< if only some are taken
   int frames = 1;
   ForeignFrames foreign;  ///< what the model under test reported, if it is not the built-in lidar
+
+  /// Standard deviation of a cell's range as its tolerances move it, each evenly within its interval.
+  [[nodiscard]] double rangeDeviation_m(std::size_t cell) const;
 };
 
 /// How closely a replay looks.

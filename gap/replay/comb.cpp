@@ -1,4 +1,4 @@
-#include "gap/causes/range_comb.h"
+#include "gap/replay/comb.h"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -104,15 +104,9 @@ bool lieOnSteps(const std::vector<double>& values, double step) {
   return values.empty() || step <= 0.0 || alignment(values, 1.0 / step) > kHalf;
 }
 
-std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {
-  std::vector<double> ranges;
-  double step_m = replay.resolution(kRange);
-  for (const ReplaySample& sample : replay.samples()) {
-    if (!sensors.empty() && std::find(sensors.begin(), sensors.end(), sample.sample->sensor) == sensors.end()) continue;
-    ranges.insert(ranges.end(), sample.measured.range_m.begin(), sample.measured.range_m.end());
-    step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
-  }
-  return combOf(std::move(ranges), 0.5 * step_m);
+double jumpVariance(double step, double moved, double noise) {
+  const double of_noise = std::numbers::sqrt2 * noise;
+  return step * std::sqrt(2.0 / std::numbers::pi) * (std::hypot(moved, of_noise) - of_noise);
 }
 
 }  // namespace gap

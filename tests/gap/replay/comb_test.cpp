@@ -1,7 +1,8 @@
-#include "gap/causes/range_comb.h"
+#include "gap/replay/comb.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "core/random.h"
 
@@ -26,7 +27,7 @@ std::vector<double> ranges(double step_m, double rounding_m = kRounding_m) {
 }
 
 // The smallest distance of two would be 0.010 m, which puts a range of 24 m onto the 400th multiple beside it.
-TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
+TEST(Comb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
   const auto comb = gap::combOf(ranges(0.0117), kRounding_m);
   ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.0117, comb->uncertain);
@@ -34,14 +35,14 @@ TEST(RangeComb, TellsTheStepFromAllValuesThoughTheyAreRounded) {
 }
 
 // Multiples of 0.0419 m in steps of 0.02 m: 0.04, 0.08, 0.12, 0.16 or 0.18, ...
-TEST(RangeComb, TellsAStepThatTheProfilesOwnStepsBlur) {
+TEST(Comb, TellsAStepThatTheProfilesOwnStepsBlur) {
   const auto comb = gap::combOf(ranges(0.0419, 0.01), 0.01);
   ASSERT_TRUE(comb && comb->shown());
   EXPECT_NEAR(comb->step, 0.0419, comb->uncertain);
 }
 
 // Eight targets, three steps of 0.0482 m each: too few to be aligned by more than chance, but none lies between.
-TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
+TEST(Comb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
   std::vector<double> values;
   for (const int first : {178, 229, 271, 366, 455, 556, 650, 811})
     for (int step = 0; step < 3; ++step) values.push_back(rounded(0.0482 * (first + step), 0.02));
@@ -51,7 +52,7 @@ TEST(RangeComb, TellsAStepFromFewValuesOfWhichNoneLiesBetween) {
 }
 
 // A target 58.4 m away is the 218th step: 0.0003 m more a step would put it 0.065 m beside where it is told.
-TEST(RangeComb, KnowsTheStepAsWellAsTheFarthestValueTellsIt) {
+TEST(Comb, KnowsTheStepAsWellAsTheFarthestValueTellsIt) {
   std::vector<double> values;
   for (const int first : {25, 30, 39, 47, 54, 70, 84, 103, 130, 153, 176, 218})
     for (int step = 0; step < 2; ++step) values.push_back(rounded(0.268 * (first + step), 0.005));
@@ -61,23 +62,23 @@ TEST(RangeComb, KnowsTheStepAsWellAsTheFarthestValueTellsIt) {
   EXPECT_LE(comb->uncertain, 0.0025 / 218.0);
 }
 
-TEST(RangeComb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
+TEST(Comb, SeesNoneInFewValuesWhoseRoundingLeavesRoomForManyCombs) {
   core::Random random({.seed = 11});
   std::vector<double> values{4.0};
   for (int i = 0; i < 14; ++i) values.push_back(rounded(values.back() + 0.04 + 0.06 * random.uniform(), 0.02));
   EXPECT_FALSE(gap::combOf(values, 0.01));
 }
 
-TEST(RangeComb, SeesNoneInValuesThatAreOnlyRounded) { EXPECT_FALSE(gap::combOf(ranges(0.0), kRounding_m)); }
+TEST(Comb, SeesNoneInValuesThatAreOnlyRounded) { EXPECT_FALSE(gap::combOf(ranges(0.0), kRounding_m)); }
 
-TEST(RangeComb, SeesNoneInFewValuesThatHappenToLieApart) {
+TEST(Comb, SeesNoneInFewValuesThatHappenToLieApart) {
   EXPECT_FALSE(gap::combOf({3.0, 3.1, 3.2, 3.3}, kRounding_m));
   EXPECT_FALSE(
       gap::combOf({3.004, 3.116, 3.25, 3.402, 3.506, 3.632, 3.78, 3.894, 4.038, 4.152, 4.3, 4.426}, kRounding_m));
 }
 
 // Nine walls that a counter of 0.771 m tells in steps of 0.0375 m: seven others in a thousand lie as well on some comb.
-TEST(RangeComb, SuggestsAStepWhereTheValuesAreTooFewToShowIt) {
+TEST(Comb, SuggestsAStepWhereTheValuesAreTooFewToShowIt) {
   std::vector<double> values;
   for (const int steps : {7, 8, 10, 12, 15, 20, 27, 34, 46}) values.push_back(rounded(0.771 * steps, 0.0375));
   const auto comb = gap::combOf(values, 0.01875);
@@ -87,13 +88,45 @@ TEST(RangeComb, SuggestsAStepWhereTheValuesAreTooFewToShowIt) {
   EXPECT_LT(comb->uncertain, 0.001);
 }
 
-TEST(RangeComb, SeesNoneInNothing) { EXPECT_FALSE(gap::combOf({}, kRounding_m)); }
+TEST(Comb, SeesNoneInNothing) { EXPECT_FALSE(gap::combOf({}, kRounding_m)); }
 
-TEST(RangeComb, KnowsMultiplesOfAStepFromOtherValues) {
+TEST(Comb, KnowsMultiplesOfAStepFromOtherValues) {
   EXPECT_TRUE(gap::lieOnSteps(ranges(0.0419, 0.01), 0.02));
   EXPECT_FALSE(gap::lieOnSteps(ranges(0.0419, 0.0), 0.02));
   EXPECT_TRUE(gap::lieOnSteps(ranges(0.0419, 0.0), 0.0));
   EXPECT_TRUE(gap::lieOnSteps({}, 0.02));
+}
+
+/// Mean of what a counter tells of a range under normal noise: each of its steps with the probability of it.
+double meanTold(double range, double step, double noise) {
+  const auto below = [&](double edge) { return 0.5 * std::erfc((range - edge) / (noise * std::sqrt(2.0))); };
+  const double first = std::floor((range - 9.0 * noise) / step), last = std::ceil((range + 9.0 * noise) / step);
+  double mean = 0.0;
+  for (double n = first; n <= last; n += 1.0) mean += n * step * (below((n + 0.5) * step) - below((n - 0.5) * step));
+  return mean;
+}
+
+/// Mean square of how far a target's normal move takes that mean, wherever in a step it stands.
+double meanSquareTold(double step, double moved, double noise) {
+  constexpr int kPlaces = 200000;
+  core::Random random({.seed = 3});
+  double sum = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double range = 40.0 * step + step * random.uniform();
+    const double by = meanTold(range + moved * random.normal(), step, noise) - meanTold(range, step, noise);
+    sum += by * by / kPlaces;
+  }
+  return sum;
+}
+
+TEST(Comb, AMoveOfTheTargetTakesTheMeanOfItsValuesToTheNextStepNowAndThen) {
+  constexpr double kStep_m = 0.2, kMoved_m = 0.003;
+  EXPECT_NEAR(gap::jumpVariance(kStep_m, kMoved_m, 0.0), kStep_m * kMoved_m * std::sqrt(2.0 / std::numbers::pi), 1e-9);
+  for (const double noise_m : {1e-4, 0.001, 0.003, 0.01, 0.03}) {
+    const double told = meanSquareTold(kStep_m, kMoved_m, noise_m);
+    EXPECT_NEAR(gap::jumpVariance(kStep_m, kMoved_m, noise_m) / told, 1.0, 0.08) << noise_m;
+  }
+  EXPECT_EQ(gap::jumpVariance(kStep_m, 0.0, 0.01), 0.0);
 }
 
 }  // namespace
