@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/physics.h"
+#include "gap/distance/discrepancy.h"
 #include "model/simulate.h"
 #include "tests/gap/small_world.h"
 
@@ -112,6 +113,35 @@ TEST(Replay, IsThinnedFurtherFromTheBeamsThatItHas) {
   EXPECT_TRUE(std::includes(of_half.begin(), of_half.end(), of_quarter.begin(), of_quarter.end()));
   EXPECT_NEAR(static_cast<double>(of_quarter.size()), static_cast<double>(of_half.size()) / 2.0, 4.0);
   EXPECT_EQ(half.thinner(1000000).samples()[0].taken, of_half);
+}
+
+/// Of the first cell of a sample.
+struct FirstCell {
+  double error_m;  ///< of the difference of its mean ranges, measured and of many simulated frames
+  double slant;    ///< how much longer its beam gets than the wall goes farther
+};
+FirstCell firstCell(const SmallWorld& world, const model::LidarModel& measured_by) {
+  constexpr int kFrames = 200;
+  const auto measured = world.measuredBy(measured_by, 0.4);
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const auto simulated = replay.simulate(replay.baseline(), 0, kFrames, 1);
+  const gap::ReplaySample& sample = replay.samples().front();
+  const model::Beam& beam = sample.beams[sample.layout->cells().front().beam];
+  return {gap::meanError(replay, sample, 0, gap::kRange, sample.statistics[0], simulated[0]),
+          1.0 / (std::cos(beam.azimuth_rad) * std::cos(beam.elevation_rad))};
+}
+
+// A wall that is known to 5 mm to either side takes a mean to the next multiple of 0.2 m now and then.
+TEST(Replay, AReferenceWithinItsToleranceMayTakeACountedRangeToTheNextStep) {
+  SmallWorld world;
+  const model::LidarModel counting = SmallWorld::modelWith({{"quantisation", {{"range_step_m", 0.2}}}});
+  const FirstCell sure = firstCell(world, counting);
+  world.knownToWithin(0.005);
+  const double noise_m = SmallWorld::modelWith({}).sensor("").detection.range_noise_m;
+  const double jump_m = std::sqrt(gap::jumpVariance(0.2, sure.slant * 0.01 / std::sqrt(12.0), noise_m));
+  EXPECT_GT(jump_m, 0.003);
+  EXPECT_NEAR(firstCell(world, counting).error_m, std::hypot(sure.error_m, jump_m), 0.01 * jump_m);
+  EXPECT_LT(firstCell(world, SmallWorld::modelWith({})).error_m, jump_m) << "no steps, no jumps";
 }
 
 }  // namespace
