@@ -24,7 +24,7 @@ constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample cou
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
 constexpr double kBesideFrames = 0.7;  // of the belief in a cause, where frames deviate, too: something else is at work
-constexpr double kNoneBelief = 0.75;   // that nothing is missing, where nothing is seen: weak causes are not
+constexpr double kNoneBelief = 0.85;   // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
 
 /// How far it is believed that nothing is missing where noise makes so large a gap with this p-value. No alternative of

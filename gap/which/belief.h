@@ -15,7 +15,7 @@ namespace gap {
 [[nodiscard]] double shareOf(const Decision& decision, const std::string& cause);
 
 /// Belief in each single candidate. Those that come near to the best one share it, each by how likely its separation
-/// would be by chance, exp(-z²/2).
+/// would be by chance, exp(-z²/2); the best one counts 2.5 times as much as one that nothing tells from it.
 [[nodiscard]] std::vector<double> confidencesOf(const Decision& decision, double belief);
 
 }  // namespace gap

@@ -22,7 +22,6 @@ constexpr int kNullRuns = 20;              // their spread is known to a sixth
 constexpr double kPricePerNumber = 0.004;  // of the explained share, at least
 constexpr double kMostLeft = 2.0;     // of the total gap: a cause that doubles it is as wrong as one that triples it
 constexpr std::size_t kPolished = 3;  // of the leaders fitted with more frames, and
-constexpr double kRival = 0.15;       // in merit: those that may yet lead, which fits of one kind alone can tell
 constexpr std::size_t kPolishedPairs = 2;
 constexpr std::size_t kScoutBeams = 180;    // a sample: enough to find about where a reference is
 constexpr std::size_t kAlwaysFitted = 16;   // best hypotheses of the coarse search
@@ -322,7 +321,7 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
     const double best = candidates.front().merit;
     core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
       Candidate& candidate = candidates[from + c];
-      const bool may_lead = candidate.merit >= best - kRival;
+      const bool may_lead = candidate.merit >= best - kMayLead;
       if (refined)
         candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, may_lead, progress);
       candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
@@ -338,7 +337,7 @@ void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>&
   }
   const bool pairs = !candidates.front().hypothesis.members.empty();
   std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
-  while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kRival) ++refined;
+  while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kMayLead) ++refined;
   const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(refined);
   if (!pairs && std::any_of(candidates.begin(), end, Valleys::mayHelp)) valleys.emplace(judge);
   lookAt(0, refined, true);

@@ -13,6 +13,7 @@ namespace gap {
 class HeldOutGaps;
 
 inline constexpr std::size_t kLeaders = 6;  ///< best candidates, which all beams judge
+inline constexpr double kMayLead = 0.15;    ///< behind the best one in merit; who is farther behind is no rival
 
 /// A hypothesis with its fit and what the held-out data say of it.
 struct Candidate {

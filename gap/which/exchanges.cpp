@@ -20,7 +20,6 @@ namespace {
 constexpr std::size_t kOfEachMember = 5;
 constexpr std::size_t kBestAlone = 4;    // as fitted alone, each may be far off beside another: all are fitted there
 constexpr double kTooFarBehind = 0.3;    // of what the exchanged member brings to the fitted samples
-constexpr double kMayLead = 0.15;        // in merit
 constexpr std::size_t kFittedWell = 12;  // of all that were fitted roughly
 
 /// The single causes, and those that act in a sector where the best pair says that it is.

@@ -11,10 +11,9 @@ namespace gap {
 
 namespace {
 
-constexpr double kApart = 1.5;       // standard deviations of the paired difference of two causes
-constexpr double kDisputed = 1.0;    // the same, at most, of what the held-out samples prefer
-constexpr double kFarBehind = 0.15;  // in merit: no rival, however alike in single cells
-constexpr double kTie = 0.03;        // of what there is to explain: causes this close cannot be told apart
+constexpr double kApart = 1.5;     // standard deviations of the paired difference of two causes
+constexpr double kDisputed = 1.0;  // the same, at most, of what the held-out samples prefer
+constexpr double kTie = 0.03;      // of what there is to explain: causes this close cannot be told apart
 constexpr std::size_t kRivals = 5;
 constexpr std::size_t kPairsLookedAt = 5;  // beside the best: the others were not fitted as well
 
@@ -67,6 +66,11 @@ double toldApart(const Judge& quick, const Judge& exact, const Candidate& best, 
   return toldFromOnAll(quick, exact, best, other, alike, costOf(other, best));
 }
 
+/// Whether a candidate accounts for as much of the gap as the best one, cell by cell and pooled.
+bool asMuch(const Judge& exact, const Candidate& other, const Candidate& best) {
+  return exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
+}
+
 /// Those of other names, of each name the first one.
 std::vector<const Candidate*> othersThan(const Candidate& best, const std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> others;
@@ -101,7 +105,7 @@ bool Rival::tied() const noexcept { return separation < kApart; }
 std::vector<Rival> rivalsOf(const Judge& quick, const Judge& exact, const std::vector<Candidate>& candidates) {
   const Candidate& best = candidates.front();
   std::vector<const Candidate*> others = othersThan(best, candidates);
-  std::erase_if(others, [&](const Candidate* other) { return other->merit < best.merit - kFarBehind; });
+  std::erase_if(others, [&](const Candidate* other) { return other->merit < best.merit - kMayLead; });
   return rivalsAmong(quick, exact, best, std::move(others));
 }
 
@@ -133,7 +137,7 @@ std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const s
                                  double added) {
   const Candidate& best = pairs.front();
   std::vector<Rival> rivals;
-  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kFarBehind; ++i) {
+  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kMayLead; ++i) {
     std::optional<Rival> rival = exchangedIn(pairs[i], best);
     if (!rival) continue;
     const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
@@ -145,11 +149,10 @@ std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const s
 }
 
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added) {
-  const double least_merit = candidates.front().merit - kFarBehind;
+  const double least_merit = candidates.front().merit - kMayLead;
   for (std::size_t i = 1; i < candidates.size() && i <= kRivals && candidates[i].merit >= least_merit; ++i) {
     const Candidate &best = candidates.front(), &other = candidates[i];
-    const bool as_much = exact.accountedFor(other) >= exact.accountedFor(best) - kTie;
-    if (other.hypothesis.name == best.hypothesis.name || !as_much) continue;
+    if (other.hypothesis.name == best.hypothesis.name || !asMuch(exact, other, best)) continue;
     const double apart = separationOnAll(quick, exact, other, best, kTie * added);
     if (apart < std::sqrt(kApart * kApart + 2.0 * costOf(other, best))) continue;
     const auto place = candidates.begin() + static_cast<std::ptrdiff_t>(i);
@@ -165,12 +168,12 @@ void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidat
   const auto isPlainer = [&](const Candidate& other, const Candidate& best) {
     const auto more = effectsIn(other) - effectsIn(best);
     if (more > 0) return priceOf(other) <= priceOf(best) && separationOnAll(quick, exact, best, other, kTie) < kApart;
-    return more == 0 && priceOf(other) < priceOf(best) &&
+    return more == 0 && priceOf(other) < priceOf(best) && asMuch(exact, other, best) &&
            toldFromOnAll(quick, exact, best, other, kTie * added) < kApart;
   };
   for (std::size_t i = 1; i < candidates.size() && i <= kRivals; ++i) {
     const Candidate &best = candidates.front(), &other = candidates[i];
-    if (best.hypothesis.seen_in_values || other.merit < best.merit - kFarBehind) break;
+    if (best.hypothesis.seen_in_values || other.merit < best.merit - kMayLead) break;
     if (isPlainer(other, best)) std::swap(candidates.front(), candidates[i]);
   }
 }

@@ -44,8 +44,9 @@ struct Rival {
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added = 1.0);
 
 /// Of causes, or pairs, that the data cannot tell from the best one, the plainest first: two effects before one with a
-/// recalibration, which would not be named, so that the effect in its place would be missed; and what says as much in
-/// fewer numbers, or in its usual form (speckle before a jitter of the power alone). `added`, of pairs: addedBySecond.
+/// recalibration, which would not be named, so that the effect in its place would be missed; and what accounts for
+/// as much with fewer numbers, or in its usual form (speckle before a jitter of the power alone). `added`, of pairs:
+/// addedBySecond.
 void leadByPlainest(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added = 1.0);
 
 }  // namespace gap

@@ -26,11 +26,19 @@ constexpr double kFewestBeams = 30.0;
 constexpr double kMostLost = 4.0;  // of what is expected of a beam, and so many more: single beams of which programs
                                    // differ lose everything and prove nothing
 
+/// The effect of the library that a cause is, or whose number it corrects; null if there is none.
+const model::EffectEntry* effectOf(const Hypothesis& cause) {
+  if (cause.kind == CauseKind::kEffect) return model::findEffect(cause.name);
+  const std::string effects = "/effects/";  // JSON Pointers to the numbers of a model file: /effects/<name>/<number>
+  if (cause.kind != CauseKind::kParameter || !cause.name.starts_with(effects)) return nullptr;
+  return model::findEffect(cause.name.substr(effects.size(), cause.name.rfind('/') - effects.size()));
+}
+
 bool takesFromAllShotsAlike(const Candidate& cause) {
   const std::vector<Candidate> members = membersOf(cause);
   return std::any_of(members.begin(), members.end(), [](const Candidate& member) {
-    return member.hypothesis.kind == CauseKind::kEffect &&
-           model::findEffect(member.hypothesis.name)->info.every_shot_alike;
+    const model::EffectEntry* const effect = effectOf(member.hypothesis);
+    return effect != nullptr && effect->info.every_shot_alike;
   });
 }
 

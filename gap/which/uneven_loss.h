@@ -18,8 +18,8 @@ struct UnevenLoss {
 
 /// Looks at strong echoes off edges only: these get lost by nothing else, and two programs agree on them. Losses of one
 /// beam are counted over all frames and samples. Nothing if no member of the cause takes echoes from all shots alike
-/// (model::EffectInfo::every_shot_alike), or if they vary by less than half of their mean, or not beyond doubt: neither
-/// from beam to beam, nor as a wave over azimuth.
+/// (model::EffectInfo::every_shot_alike) or corrects how many of them, or if they vary by less than half of their mean,
+/// or not beyond doubt: neither from beam to beam, nor as a wave over azimuth.
 ///
 /// The variance between beams beyond that of Bernoulli trials is found by the method of moments, as in tests of
 /// overdispersion (Cochran 1954, Some methods for strengthening the common χ² tests, Biometrics 10, 417, section 4:

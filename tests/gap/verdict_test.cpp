@@ -45,14 +45,14 @@ double confidenceOfNone(double z) {
 }
 
 // By how much is the bound of Sellke, Bayarri and Berger 2001: -e p ln p is 0.125 for p = 0.01 and 0.407 for p = 0.05;
-// odds of 3 to 1 were believed before. Where p < 0.001 the test of whether there is a gap has spoken: what it calls
+// odds of 17 to 3 were believed before. Where p < 0.001 the test of whether there is a gap has spoken: what it calls
 // none there is too small to matter.
 TEST(Verdict, ThatNothingIsMissingIsDoubtedAsMuchAsNoiseHardlyMakesSuchAGap) {
-  const double sure = 0.75;
+  const double sure = 0.85, odds = 17.0 / 3.0;
   EXPECT_DOUBLE_EQ(confidenceOfNone(0.0), sure);
   EXPECT_DOUBLE_EQ(confidenceOfNone(-2.0), sure);
-  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.05)), 3.0 * 0.407 / (1.0 + 3.0 * 0.407), 0.001);
-  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.01)), 3.0 * 0.125 / (1.0 + 3.0 * 0.125), 0.001);
+  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.05)), odds * 0.407 / (1.0 + odds * 0.407), 0.001);
+  EXPECT_NEAR(confidenceOfNone(standardDeviationsAt(0.01)), odds * 0.125 / (1.0 + odds * 0.125), 0.001);
   EXPECT_DOUBLE_EQ(confidenceOfNone(8.0), sure);
 }
 

@@ -1,6 +1,8 @@
 #include "gap/which/belief.h"
 
 #include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
 namespace gap {
 namespace {
@@ -35,6 +37,33 @@ TEST(Belief, IsLessWhereTheGapIsSmall) {
 // Few causes move a surface as a wrong pose does, set-up by set-up.
 TEST(Belief, IsMoreInAReferenceHoweverSmallTheGap) {
   for (const double z : {4.0, 20.0}) EXPECT_GT(beliefIn(gapOf(z), 0.65, CauseKind::kReference), 0.85) << z;
+}
+
+/// A best cause and others with these separations from it.
+Decision decisionAmong(const std::vector<double>& separations) {
+  Decision decision;
+  decision.singles.resize(1 + separations.size());
+  decision.singles.front().hypothesis.name = "best";
+  for (std::size_t i = 0; i < separations.size(); ++i) {
+    const std::string name = "rival " + std::to_string(i);
+    decision.singles[i + 1].hypothesis.name = name;
+    decision.rivals.push_back({name, separations[i], {}});
+  }
+  return decision;
+}
+
+// Of 69 fresh verdicts in which one cause of several was right that nothing told apart, 38 named that one first
+// (docs/diagnosis.md).
+TEST(Belief, IsSharedByWhatCannotBeToldApartOfWhichTheBestIsLikelierThanAnyOther) {
+  const std::vector<double> shared = confidencesOf(decisionAmong({0.0, 0.0, 9.0}), 0.9);
+  EXPECT_NEAR(shared[0] + shared[1] + shared[2], 0.9, 1e-9);
+  EXPECT_DOUBLE_EQ(shared[1], shared[2]);
+  EXPECT_NEAR(shared[0], 0.5, 1e-9);  // 2.5 of 4.5
+  EXPECT_NEAR(shared[3], 0.0, 1e-9);
+}
+
+TEST(Belief, OfWhatIsToldFromAllOthersIsShared) {
+  EXPECT_NEAR(confidencesOf(decisionAmong({5.0, 7.0}), 0.9).front(), 0.9, 1e-5);
 }
 
 }  // namespace

@@ -89,6 +89,23 @@ TEST_F(Rivals, InTheirUsualFormLeadBeforeAnotherFormThatSaysTheSame) {
   EXPECT_EQ(leaderOf({gloss, pairAt("atmospheric-attenuation", "", 20000.0, 0.99)}), "atmospheric-attenuation");
 }
 
+// A wall that is too dark and a gate before it may differ by nothing that single cells tell: all detections do.
+TEST_F(Rivals, ThatLeaveMoreOfTheTotalGapDoNotLeadThoughTheySayLess) {
+  gap::Candidate gloss = pairAt("multipath", "every surface", 0.0, 1.0);
+  gap::Candidate haze = pairAt("atmospheric-attenuation", "", 20000.0, 0.99);
+  const auto leaderWhereHazeLeaves = [&](double of_total) {
+    gap::Judge judge = judge_;
+    judge.weight_of_total = 0.3;
+    gloss.total_left = 0.0;
+    haze.total_left = of_total;
+    std::vector<gap::Candidate> pairs{gloss, haze};
+    gap::leadByPlainest(judge, judge, pairs);
+    return pairs.front().hypothesis.members[1].name;
+  };
+  EXPECT_EQ(leaderWhereHazeLeaves(0.05), "atmospheric-attenuation");
+  EXPECT_EQ(leaderWhereHazeLeaves(0.2), "multipath");
+}
+
 TEST_F(Rivals, ThatChooseAnotherFormSayMoreAndDoNotLead) {
   // They are as near.
   EXPECT_LT(gap::separationOnAll(judge_, judge_, weaker_emitter_, glossy_wall_, 0.03), 1.5);

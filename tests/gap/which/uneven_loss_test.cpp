@@ -74,6 +74,15 @@ TEST_F(Losses, AtRandomAreEven) { EXPECT_FALSE(seenIn(lostAnywhere(), "detection
 // Were only half as many lost as the cause says, that would be a wrong number and no pattern.
 TEST_F(Losses, OfAnotherNumberAreStillEven) { EXPECT_FALSE(seenIn(lostAnywhere(), "detection-loss", {0.2})); }
 
+// A model that loses echoes at random has the number that would be wrong if it lost too few of them.
+TEST_F(Losses, InStripesAreNoWrongRateOfALossThatTheModelHas) {
+  model_ = SmallWorld::modelWith({{"detection-loss", {{"probability", 0.02}}}});
+  const auto loss = seenIn(lostInStripes(), "/effects/detection-loss/probability", {0.12});
+  ASSERT_TRUE(loss);
+  EXPECT_NEAR(loss->mean, 0.12, 0.01);
+  EXPECT_NEAR(loss->period_deg.value_or(0.0), 6.0, 0.2);
+}
+
 TEST_F(Losses, OfACauseThatDoesNotTakeThemEverywhereAreNotAsked) {
   EXPECT_FALSE(seenIn(lostInStripes(), "range-offset", {0.1}));
 }
