@@ -26,10 +26,10 @@ struct Comb {
 /// step of 0, and so are no values at all.
 [[nodiscard]] bool lieOnSteps(const std::vector<double>& values, double step);
 
-/// Mean square of what the move of a target makes of the mean of its counted values, wherever within a step q it stands:
-/// without noise a move of δ takes it to the next step, q farther, with probability |δ|/q. Under normal noise σ it is q
-/// times the integral over x of (Φ((x + δ)/σ) - Φ(x/σ))², which is an energy distance (Székely & Rizzo 2013, J. Stat.
-/// Plan. Inference 143, 1249, section 2), and of a normal move of standard deviation `moved`
+/// Mean square of what the move of a target makes of the mean of its counted values, wherever within a step q it
+/// stands: without noise a move of δ takes it to the next step, q farther, with probability |δ|/q. Under normal noise σ
+/// it is q times the integral over x of (Φ((x + δ)/σ) - Φ(x/σ))², which is an energy distance (Székely & Rizzo 2013, J.
+/// Stat. Plan. Inference 143, 1249, section 2), and of a normal move of standard deviation `moved`
 ///
 ///   q sqrt(2/π) (sqrt(moved² + 2 σ²) - sqrt(2) σ),
 ///
