@@ -23,6 +23,7 @@ namespace {
 constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
+constexpr double kByMeansAlone = 0.5;   // of the belief in two causes that leave too much of single cells
 constexpr double kBesideFrames = 0.7;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.85;   // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
@@ -123,7 +124,11 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const bool pooled = judge.replay.samples().front().layout->pooled();
   const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0);
   const double named = decision.winner ? kLeastNamed : 0.0;
-  const auto beliefOf = [&](const Candidate& candidate) { return most * std::max(named, beliefIn(judge, candidate)); };
+  const bool by_means = decision.pair() && decision.winner->explained < enoughForTwo(judge.yardstick);
+  const double least = by_means ? kByMeansAlone : 1.0;
+  const auto beliefOf = [&](const Candidate& candidate) {
+    return most * least * std::max(named, beliefIn(judge, candidate));
+  };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;

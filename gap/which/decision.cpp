@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kAccountsFor = 0.7;   // of the gap: what accounts for less is as likely wrong as right
 constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
+constexpr double kOfTheCells = 0.92;   // explained by a pair, beside noise: right ones explain 0.95 and more
 constexpr double kLeastShrink = 0.05;  // of the total gap: less may be luck, or how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
@@ -168,6 +169,8 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
 double enoughToName(const Yardstick& yardstick) {
   return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
 }
+
+double enoughForTwo(const Yardstick& yardstick) { return kOfTheCells - 2.0 * yardstick.noiseOfShare(); }
 
 std::string toString(VerdictKind kind) {
   switch (kind) {

@@ -56,6 +56,9 @@ struct Decision {
 
 /// The share of the gap that a cause must account for to be named.
 [[nodiscard]] double enoughToName(const Yardstick& yardstick);
+/// The share of the cells' discrepancy that two causes must explain together: whatever is missing, some two of sixty
+/// explain a part of it.
+[[nodiscard]] double enoughForTwo(const Yardstick& yardstick);
 
 /// Whether a cause leaves so much of the gap that follows a law (`left`, Rest::belowCeiling) that it is not the cause;
 /// not so if next to nothing is left by another measure, of the discrepancy or of the total gap, or if the values show

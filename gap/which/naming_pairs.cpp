@@ -23,8 +23,7 @@ namespace gap {
 
 namespace {
 
-constexpr double kHopeless = 0.5;     // of what a cause must account for to be named: closer fits do not double a share
-constexpr double kOfTheCells = 0.92;  // explained by a pair, beside noise: right ones explain 0.95 and more
+constexpr double kHopeless = 0.5;  // of what a cause must account for to be named: closer fits do not double a share
 constexpr std::size_t kPairsHeard = 4;  // best ones: one of them may earn its second cause where the first does not
 constexpr int kRoundsOfExchanges = 2;
 
@@ -75,11 +74,8 @@ bool hopeless(const Yardstick& yardstick, const std::vector<Candidate>& candidat
                      [&](const Candidate& candidate) { return candidate.explained < least; });
 }
 
-/// Whether a pair explains so much of the cells that it may be named: whatever is missing, some two of sixty causes
-/// explain a part of it.
 bool explainsEnough(const Judge& judge, const Candidate& pair) {
-  return pair.explained >= kOfTheCells - 2.0 * judge.yardstick.noiseOfShare() &&
-         judge.accountedFor(pair) >= enoughToName(judge.yardstick);
+  return pair.explained >= enoughForTwo(judge.yardstick) && judge.accountedFor(pair) >= enoughToName(judge.yardstick);
 }
 
 /// The best cause with what a second search finds beside it, where its own noise hides that. References take long, and
