@@ -30,17 +30,31 @@ double standardDeviationsAt(double p_value) {
   return low;
 }
 
+/// Who judges what a model measured itself, of which the yardstick says that the gap stands so far above noise.
+struct JudgeOfGap {
+  explicit JudgeOfGap(double z) : judge{replay, gap::splitOf(replay, 1), yardstickAt(z)} {}
+
+  SmallWorld world;
+  model::LidarModel model = SmallWorld::modelWith({});
+  model::Experiment measured = world.measuredBy(model, 0.4);
+  gap::Replay replay{measured, model};
+  gap::Judge judge;
+};
+
+/// An offset and a random loss that explain so much alone, best first.
+std::vector<gap::Candidate> offsetAndLoss(const gap::Replay& replay, double offset, double loss) {
+  const auto hypotheses = gap::hypothesesFor(replay, {"range-offset", "detection-loss"});
+  return {{test_support::hypothesisNamed(hypotheses, "range-offset"), {0.1}, offset},
+          {test_support::hypothesisNamed(hypotheses, "detection-loss"), {0.1}, loss}};
+}
+
 /// What `none` is believed with.
 double confidenceOfNone(double z) {
-  const SmallWorld world;
-  const auto model = SmallWorld::modelWith({});
-  const auto measured = world.measuredBy(model, 0.4);
-  const gap::Replay replay(measured, model);
-  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstickAt(z)};
+  const JudgeOfGap asked(z);
   gap::Decision decision;
   decision.kind = gap::VerdictKind::kNone;
   gap::Diagnosis diagnosis;
-  gap::fillVerdict(judge, decision, diagnosis);
+  gap::fillVerdict(asked.judge, decision, diagnosis);
   return diagnosis.verdict.confidence;
 }
 
@@ -85,20 +99,13 @@ TEST(Verdict, ACauseIsBelievedLessWhereNoSampleIsHeldOutAndStillLessWhereFramesD
 
 /// What an `unknown` says of two causes that were tried, one of which explains so much alone and both so much.
 std::optional<gap::NearestPair> nearestPairOf(double alone, double together) {
-  const SmallWorld world;
-  const auto model = SmallWorld::modelWith({});
-  const auto measured = world.measuredBy(model, 0.4);
-  const gap::Replay replay(measured, model);
-  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstickAt(20.0)};
-  const auto hypotheses = gap::hypothesesFor(replay, {"range-offset", "detection-loss"});
-  const gap::Candidate offset{test_support::hypothesisNamed(hypotheses, "range-offset"), {0.1}, alone};
-  const gap::Candidate loss{test_support::hypothesisNamed(hypotheses, "detection-loss"), {0.1}, 0.1};
+  const JudgeOfGap asked(20.0);
   gap::Decision decision;
-  decision.singles = {offset, loss};
-  decision.pairs = {gap::pairOf(offset, loss)};
+  decision.singles = offsetAndLoss(asked.replay, alone, 0.1);
+  decision.pairs = {gap::pairOf(decision.singles[0], decision.singles[1])};
   decision.pairs.front().explained = together;
   gap::Diagnosis diagnosis;
-  gap::fillVerdict(judge, decision, diagnosis);
+  gap::fillVerdict(asked.judge, decision, diagnosis);
   return diagnosis.verdict.nearest_pair;
 }
 
@@ -113,21 +120,15 @@ TEST(Verdict, ThatTheCauseIsUnknownSaysWhichTwoComeNearerThanAnyAlone) {
 
 /// What two causes are believed with that explain so much of the cells together, and nearly all of the total gap.
 double beliefInTwo(double explained) {
-  const SmallWorld world;
-  const auto model = SmallWorld::modelWith({});
-  const auto measured = world.measuredBy(model, 0.4);
-  const gap::Replay replay(measured, model);
-  const gap::Judge judge{replay, gap::splitOf(replay, 1), yardstickAt(100.0)};
-  const auto hypotheses = gap::hypothesesFor(replay, {"range-offset", "detection-loss"});
+  const JudgeOfGap asked(100.0);
   gap::Decision decision;
-  decision.singles = {{test_support::hypothesisNamed(hypotheses, "range-offset"), {0.1}, 0.5},
-                      {test_support::hypothesisNamed(hypotheses, "detection-loss"), {0.1}, 0.1}};
+  decision.singles = offsetAndLoss(asked.replay, 0.5, 0.1);
   gap::Candidate pair = gap::pairOf(decision.singles[0], decision.singles[1]);
   pair.explained = explained;
   decision.name(pair);
   gap::Diagnosis diagnosis;
-  const gap::HeldOutGaps gaps(replay, judge.split.held_out.samples, 1);
-  gap::fillCauses(judge, gaps, decision, false, diagnosis, core::SilentProgress());
+  const gap::HeldOutGaps gaps(asked.replay, asked.judge.split.held_out.samples, 1);
+  gap::fillCauses(asked.judge, gaps, decision, false, diagnosis, core::SilentProgress());
   return diagnosis.causes.front().confidence;
 }
 
