@@ -74,6 +74,7 @@ bool hopeless(const Yardstick& yardstick, const std::vector<Candidate>& candidat
                      [&](const Candidate& candidate) { return candidate.explained < least; });
 }
 
+/// Whether a pair explains so much of the cells, and accounts for so much of the gap, that it may be named.
 bool explainsEnough(const Judge& judge, const Candidate& pair) {
   return pair.explained >= enoughForTwo(judge.yardstick) && judge.accountedFor(pair) >= enoughToName(judge.yardstick);
 }
