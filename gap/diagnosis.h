@@ -29,6 +29,7 @@ struct FittedParameter {
   std::optional<Interval> interval;   ///< 95 %, over set-ups; absent where it was not computed
   std::optional<Interval> plausible;  ///< the range that was searched
   std::optional<double> recorded;     ///< what the model file or the experiment says, of a wrong parameter
+  bool at_end = false;                ///< of that range, the upper one: the data may ask for more
 };
 
 /// A hypothesis after its fit.

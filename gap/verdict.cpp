@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gap/causes/scale.h"
 #include "gap/which/belief.h"
 #include "gap/which/whole_gap.h"
 
@@ -49,8 +50,10 @@ Cause toCause(const Candidate& candidate) {
   cause.explained = std::clamp(candidate.explained, 0.0, 1.0);
   for (std::size_t i = 0; i < candidate.values.size(); ++i) {
     const FreeParameter& p = candidate.hypothesis.parameters[i];
-    FittedParameter fitted{p.name, p.unit, candidate.values[i], std::nullopt, Interval{p.low, p.high}, std::nullopt};
+    FittedParameter fitted{
+        .name = p.name, .unit = p.unit, .value = candidate.values[i], .plausible = Interval{p.low, p.high}};
     if (cause.kind == CauseKind::kParameter) fitted.recorded = p.start;
+    fitted.at_end = !candidate.hypothesis.seen_in_values && atUpperEnd(p, candidate.values[i]);
     if (candidate.hypothesis.per_setup) {
       cause.setups[p.name] = fitted;
     } else {

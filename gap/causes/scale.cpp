@@ -32,6 +32,13 @@ double Scale::unbend(double bent) const {
   return mayBeAbsent() ? p_.absent_at + fine_ * std::sinh(bent) : bent;
 }
 
+bool atUpperEnd(const FreeParameter& p, double value) {
+  constexpr double kNear = 0.005;
+  const bool share = p.unit.empty() && p.low >= 0.0 && p.high == 1.0;
+  if (p.azimuth || p.whole || share || p.high == p.absent_at) return false;
+  return p.high - value <= kNear * (p.high - p.low);
+}
+
 UnitCube::UnitCube(std::vector<FreeParameter> parameters) : parameters_(std::move(parameters)) {
   for (const FreeParameter& parameter : parameters_) scales_.emplace_back(parameter);
 }

@@ -24,6 +24,10 @@ class Scale {
   double fine_;  ///< distance from where it is absent up to which steps are even
 };
 
+/// Whether a value lies at the upper end of a parameter's range (within 0.005 of it), beyond which there may be more:
+/// not that of a share, of a count or of a sector, and not where the cause does nothing.
+[[nodiscard]] bool atUpperEnd(const FreeParameter& parameter, double value);
+
 /// All free numbers of a hypothesis, each mapped to [0, 1].
 class UnitCube {
  public:

@@ -419,6 +419,21 @@ std::string asRunSentence(const Diagnosis& diagnosis) {
       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
 }
 
+std::string atEndSentence(const Diagnosis& diagnosis) {
+  std::vector<std::string> numbers;
+  for (const Cause& cause : diagnosis.causes) {
+    for (const FittedParameter& p : cause.parameters) {
+      if (!p.at_end || !p.plausible || !diagnosis.verdict.holds(cause.name)) continue;
+      numbers.push_back(fmt::format("{} ({}; searched from {})", parameterTitle(cause, p), withUnit(p.value, unitOf(p)),
+                                    intervalText(*p.plausible, unitOf(p))));
+    }
+  }
+  if (numbers.empty()) return "";
+  return fmt::format(
+      "At the end of what is plausible: {}. If the data ask for more than that, something else is at work.",
+      core::join(numbers));
+}
+
 std::string frameModeSentence(const FrameMode& mode) {
   return fmt::format(
       "All detections of a frame deviate together, in {} by {:.3g} {} (standard deviation over the frames): the frames "

@@ -36,6 +36,8 @@ struct PartedRows {
 
 /// Where the model as it is run shows another shrink; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
+/// Which numbers of what is named came out at the end of what was searched; empty if none did.
+[[nodiscard]] std::string atEndSentence(const Diagnosis& diagnosis);
 /// What contradicts every cause that was tried, in words.
 struct ContradictionWords {
   const char* in;        ///< where measurement and simulation differ

@@ -64,5 +64,27 @@ TEST(Answer, OfCausesThatCannotBeToldApartNamesBoth) {
             "which these data cannot tell apart.");
 }
 
+/// Of a cloud, named or only weighed, that came out as large as clouds are searched.
+std::string atEndOf(const std::vector<std::string>& named) {
+  Diagnosis diagnosis;
+  diagnosis.verdict.kind = VerdictKind::kEffect;
+  diagnosis.verdict.names = named;
+  Cause cloud{.name = "exhaust-cloud"};
+  cloud.parameters.push_back(
+      {.name = "extinction_1_m", .unit = "1/m", .value = 0.002, .plausible = Interval{0.0, 10.0}});
+  cloud.parameters.push_back(
+      {.name = "size_m", .unit = "m", .value = 9.99, .plausible = Interval{0.1, 10.0}, .at_end = true});
+  diagnosis.causes = {cloud};
+  return atEndSentence(diagnosis);
+}
+
+TEST(AtEndSentence, SaysWhichNumberOfTheAnswerIsAsLargeAsItWasSearched) {
+  EXPECT_EQ(
+      atEndOf({"exhaust-cloud"}),
+      "At the end of what is plausible: diameter of the cloud (9.99 m; searched from 0.1 to 10 m). If the data ask "
+      "for more than that, something else is at work.");
+  EXPECT_EQ(atEndOf({"range-offset"}), "");
+}
+
 }  // namespace
 }  // namespace gap
