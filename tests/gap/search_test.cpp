@@ -362,8 +362,8 @@ TEST_F(Search, SaysWhoMayStandInThePlaceOfOneOfAPair) {
   decision.rivals = rivals;
   EXPECT_EQ(decision.ties(), std::vector<std::string>{"offset"});
   EXPECT_EQ(gap::shareOf(decision, "detection-loss"), 1.0);
-  EXPECT_NEAR(gap::shareOf(decision, "delay"), 0.5, 0.01);
-  EXPECT_NEAR(gap::shareOf(decision, "offset"), 0.5, 0.01);
+  EXPECT_NEAR(gap::shareOf(decision, "delay"), 2.5 / 3.5, 0.01);  // what leads is 2.5 times as likely
+  EXPECT_NEAR(gap::shareOf(decision, "offset"), 1.0 / 3.5, 0.01);
   decision.pairs = {besideLoss("delay", 0.1), besideLoss("drift", 0.08), besideLoss("offset", 0.1)};
   const auto tied = gap::tiedPairs(decision);
   ASSERT_EQ(tied.size(), 1U);
