@@ -125,13 +125,11 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   constexpr std::size_t kListed = 6;
   // Pooled data show no map, so what a cause does to single beams is not seen.
   const bool pooled = judge.replay.samples().front().layout->pooled();
-  const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0);
-  const double named = decision.winner ? kLeastNamed : 0.0;
   const bool by_means = decision.pair() && decision.winner->explained < enoughForTwo(judge.yardstick);
-  const double least = by_means ? kByMeansAlone : 1.0;
-  const auto beliefOf = [&](const Candidate& candidate) {
-    return most * least * std::max(named, beliefIn(judge, candidate));
-  };
+  const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0) *
+                      (by_means ? kByMeansAlone : 1.0);
+  const double named = decision.winner ? kLeastNamed : 0.0;
+  const auto beliefOf = [&](const Candidate& candidate) { return most * std::max(named, beliefIn(judge, candidate)); };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;

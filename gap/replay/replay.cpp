@@ -123,9 +123,9 @@ void Replay::addJumps() {
   std::map<std::string, std::optional<Comb>> combs;  // by sensor
   for (ReplaySample& sample : samples_) {
     const std::string& sensor = sample.sample->sensor;
-    const auto known = combs.find(sensor);
-    const std::optional<Comb>& comb =
-        known != combs.end() ? known->second : combs.emplace(sensor, rangeComb(*this, {sensor})).first->second;
+    const auto [known, is_new] = combs.try_emplace(sensor);
+    if (is_new) known->second = rangeComb(*this, {sensor});
+    const std::optional<Comb>& comb = known->second;
     if (!comb || !comb->shown()) continue;
     const double noise_m = baseline_.model.sensor(sensor).detection.range_noise_m;
     for (std::size_t c = 0; c < sample.jump_variance_m2.size(); ++c)

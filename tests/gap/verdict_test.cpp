@@ -133,7 +133,7 @@ double beliefInTwo(double explained) {
 }
 
 // Such two are named where the means alone show them. Of eight fresh verdicts of two effects that explained 0.61 to
-// 0.90 of the cells none was right (docs/diagnosis-evidence.md).
+// 0.90 of the cells none named both rightly (docs/diagnosis-evidence.md).
 TEST(Verdict, TwoCausesThatLeaveMuchOfSingleCellsAreBelievedHalf) {
   EXPECT_GT(beliefInTwo(0.93), 0.9);
   EXPECT_LT(beliefInTwo(0.88), 0.5);

@@ -53,7 +53,7 @@ Decision decisionAmong(const std::vector<double>& separations) {
 }
 
 // Of 69 fresh verdicts in which one cause of several was right that nothing told apart, 38 named that one first
-// (docs/diagnosis.md).
+// (docs/diagnosis-evidence.md).
 TEST(Belief, IsSharedByWhatCannotBeToldApartOfWhichTheBestIsLikelierThanAnyOther) {
   const std::vector<double> shared = confidencesOf(decisionAmong({0.0, 0.0, 9.0}), 0.9);
   EXPECT_NEAR(shared[0] + shared[1] + shared[2], 0.9, 1e-9);
