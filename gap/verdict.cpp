@@ -25,6 +25,7 @@ constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample cou
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
 constexpr double kByMeansAlone = 0.5;   // of the belief in two causes that leave too much of single cells
+constexpr double kAnywhere = 0.6;       // of the belief in what may be where and as large as it has to be
 constexpr double kBesideFrames = 0.7;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.85;   // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
@@ -112,6 +113,11 @@ std::optional<NearestPair> nearestPairIn(const Decision& decision) {
   return nearest;
 }
 
+bool poses(const Candidate& candidate) {
+  const std::vector<Candidate> members = membersOf(candidate);
+  return std::any_of(members.begin(), members.end(), [](const Candidate& m) { return m.hypothesis.anywhere; });
+}
+
 double confidenceIn(const Diagnosis& diagnosis, const std::string& name) {
   const auto cause = std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
                                   [&](const Cause& listed) { return listed.name == name; });
@@ -129,7 +135,9 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
   const double most = (judge.split.weak || pooled ? kWeakBelief : 1.0) * (frames_deviate ? kBesideFrames : 1.0) *
                       (by_means ? kByMeansAlone : 1.0);
   const double named = decision.winner ? kLeastNamed : 0.0;
-  const auto beliefOf = [&](const Candidate& candidate) { return most * std::max(named, beliefIn(judge, candidate)); };
+  const auto beliefOf = [&](const Candidate& candidate) {
+    return most * (poses(candidate) ? kAnywhere : 1.0) * std::max(named, beliefIn(judge, candidate));
+  };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
   std::vector<std::string> listed;

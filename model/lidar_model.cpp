@@ -74,9 +74,11 @@ bool LidarModel::has(const std::string& effect) const {
   return std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& e) { return e.name == effect; });
 }
 
-bool ActiveEffect::actsOn(const std::string& sensor) const {
+bool isOn(const std::vector<std::string>& sensors, const std::string& sensor) {
   return sensors.empty() || std::find(sensors.begin(), sensors.end(), sensor) != sensors.end();
 }
+
+bool ActiveEffect::actsOn(const std::string& sensor) const { return isOn(sensors, sensor); }
 
 std::vector<ActiveEffect> LidarModel::effectsOf(const std::string& sensor) const {
   std::vector<ActiveEffect> acting;

@@ -12,6 +12,9 @@
 
 namespace model {
 
+/// Whether what is on these sensors, of which none named means all, is on this one.
+[[nodiscard]] bool isOn(const std::vector<std::string>& sensors, const std::string& sensor);
+
 /// One effect that is switched on.
 struct ActiveEffect {
   std::string name;

@@ -17,11 +17,15 @@ def wilson(successes, trials, z=1.959963984540054):
     return max(0.0, centre - half), min(1.0, centre + half)
 
 
+def bin_of(confidence, bins):
+    return min(bins - 1, max(0, int(confidence * bins)))
+
+
 def reliability(confidences, correct, bins=10):
     """Per bin of confidence: (mean confidence, share correct, count); empty bins are left out."""
     table = [[0.0, 0, 0] for _ in range(bins)]
     for confidence, right in zip(confidences, correct):
-        row = table[min(bins - 1, max(0, int(confidence * bins)))]
+        row = table[bin_of(confidence, bins)]
         row[0] += confidence
         row[1] += bool(right)
         row[2] += 1
@@ -33,6 +37,20 @@ def expected_calibration_error(confidences, correct, bins=10):
     rows = reliability(confidences, correct, bins)
     count = sum(n for _, _, n in rows)
     return sum(n * abs(confidence - right) for confidence, right, n in rows) / count if count else None
+
+
+def calibration_error_by_chance(confidences, bins=10):
+    """What the expected calibration error is on average if every confidence is the probability of being right; None without verdicts.
+
+    The number of right ones in a bin is Poisson binomial: its distribution is built up verdict by verdict."""
+    total = 0.0
+    for number in range(bins):
+        part = [c for c in confidences if bin_of(c, bins) == number]
+        right = [1.0]  # probability of 0, 1, 2, ... right ones
+        for c in part:
+            right = [a * (1 - c) + b * c for a, b in zip([*right, 0.0], [0.0, *right])]
+        total += sum(p * abs(k - sum(part)) for k, p in enumerate(right))
+    return total / len(confidences) if confidences else None
 
 
 def median(values):

@@ -184,6 +184,10 @@ def kind_said(row):
     return row["kind"] if not claims_effect(row) else "one effect" if len(row["found"]) == 1 else "two effects"
 
 
+def flagged(row):
+    return row["kind"] == "unknown"
+
+
 def confidently_wrong(row):
     return claims_effect(row) and row["confidence"] >= CONFIDENT
 
@@ -225,8 +229,12 @@ def table(rows):
         ("nothing missing: said so", "", rate(of_class(rows, "none"), lambda r: r["right"])),
         ("reference, with the right quantity", ">= 0.90", rate(of_class(rows, "reference"), lambda r: r["right"])),
         ("parameter, the right one", ">= 0.90", rate(of_class(rows, "parameter"), lambda r: r["right"])),
-        ("outside the library: flagged as unknown", ">= 0.90", rate(of_class(rows, "outside", "removed"), lambda r: r["kind"] == "unknown")),
+        ("outside the library: flagged as unknown", ">= 0.90", rate(of_class(rows, "outside", "removed"), flagged)),
         ("outside the library: confidently wrong", "<= 0.03", rate(of_class(rows, "outside", "removed"), confidently_wrong)),
+        ("a law that no library has: flagged as unknown", "", rate(of_class(rows, "outside"), flagged)),
+        ("a law that no library has: confidently wrong", "", rate(of_class(rows, "outside"), confidently_wrong)),
+        ("an effect taken out of the library: flagged as unknown", "", rate(of_class(rows, "removed"), flagged)),
+        ("an effect taken out of the library: confidently wrong", "", rate(of_class(rows, "removed"), confidently_wrong)),
         ("hidden by recalibration: right effect", ">= 0.75",
          rate(of_class(rows, "hidden"), lambda r: r["right"] or set(r["truth"]) <= set(r["found"]))),
         ("design that cannot tell: not confidently wrong", "", rate(of_class(rows, "ambiguous"), lambda r: r["right"] or (
@@ -240,13 +248,15 @@ def table(rows):
         ("first where row in a measurand in which the gap stands out", ">= 0.95",
          rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r.get("standing"))),
         ("first where row in a measurand that holds much of the gap", "", rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r["where"])),
-        ("where: right stratum, where the truth has one", ">= 0.95", rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r["stratum"])),
+        ("where: right stratum, where the truth has one", ">= 0.95", rate([r for r in rows if (r["bin"] or 0) >= 1 and r["class"] != "hidden"], lambda r: r["stratum"])),
         ("claimed against actual shrink, median error", "<= 0.05", number(chance.median([r["shrink_error"] for r in shrunk]), len(shrunk))),
         ("actual shrink inside the claimed interval", "0.85 ... 0.95", rate(shrunk, lambda r: None if not r.get("interval") else
          r["interval"][0] <= r["actual"] <= r["interval"][1])),
         ("share of the oracle's shrink reached, median", ">= 0.97", number(chance.median(reached), len(reached))),
         ("parameters recovered, median relative error", "<= 0.05", number(chance.median(errors), len(errors))),
         ("expected calibration error of the confidence", "<= 0.04", number(ece, len(told))),
+        ("what chance makes of it where every confidence is true", "",
+         number(chance.calibration_error_by_chance([r["confidence"] for r in told]), len(told))),
         *((f"verdicts of this kind that are right: {said}", "", rate(told, lambda r: r["right"] if kind_said(r) == said else None)) for said in SAID),
         ("processor time of a diagnosis in s, median", "", number(chance.median([r["elapsed_s"] for r in rows]), len(rows))),
         ("processor time of a diagnosis in s, longest", "", number(max((r["elapsed_s"] for r in rows), default=None), len(rows))),

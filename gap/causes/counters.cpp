@@ -44,7 +44,7 @@ void narrowToComb(const Replay& replay, Hypothesis& hypothesis) {
 bool finerThanItsProfile(const Replay& replay, const std::vector<std::string>& sensors, const Counted& counted) {
   return std::any_of(replay.samples().begin(), replay.samples().end(), [&](const ReplaySample& sample) {
     const std::string& sensor = sample.sample->sensor;
-    if (!isOn(sensors, sensor)) return false;
+    if (!model::isOn(sensors, sensor)) return false;
     const std::vector<double>* const values = sample.measured.values(counted.column);
     const double step = replay.baseline().model.sensor(sensor).detection.*counted.step;
     return values && !lieOnSteps(*values, step);

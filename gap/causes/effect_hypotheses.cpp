@@ -45,6 +45,7 @@ void placeCloud(Hypothesis& hypothesis) {
   const auto inner = hypothesis.apply;
   const std::size_t x = hypothesis.parameters.size();
   const std::string effect = hypothesis.name;
+  hypothesis.anywhere = true;
   hypothesis.parameters.push_back({"centre_x_m", "m", 0.5, 60.0, false, 10.0});
   hypothesis.parameters.push_back({"centre_y_m", "m", -30.0, 30.0, false, 0.0});
   hypothesis.apply = [inner, x, effect](World& world, const std::vector<double>& values) {
@@ -180,7 +181,7 @@ void keepAboveNoise(const Replay& replay, Hypothesis& saturation) {
   constexpr double kNoise = 3.0;  // standard deviations: one echo in seven hundred
   for (const ReplaySample& sample : replay.samples()) {
     const std::string& sensor = sample.sample->sensor;
-    if (!isOn(saturation.sensors, sensor)) continue;
+    if (!model::isOn(saturation.sensors, sensor)) continue;
     const model::Receiver& receiver = replay.baseline().model.sensor(sensor).receiver;
     for (FreeParameter& p : saturation.parameters) {
       if (p.name != "saturation_w") continue;

@@ -36,6 +36,7 @@ struct Hypothesis {
   std::string decomposition_block;
   bool per_setup = false;            ///< one parameter a set-up, named after it
   bool costly = false;               ///< to fit: only where another form of the same cause explains something already
+  bool anywhere = false;             ///< place and extent of what acts are free, so that it can pose as much else
   bool seen_in_values = false;       ///< the measured values show it by themselves, however little they move a mean
   std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
   std::vector<Hypothesis> members;   ///< of a pair, in the order of its parameters; empty for a single cause

@@ -96,7 +96,7 @@ std::vector<std::string> profilesIn(const json& model, const std::vector<std::st
   if (model.contains("sensor")) places.emplace_back("/sensor");
   if (!model.contains("sensors")) return places;
   for (const auto& item : model["sensors"].items())
-    if (isOn(sensors, item.key())) places.push_back("/sensors/" + item.key());
+    if (model::isOn(sensors, item.key())) places.push_back("/sensors/" + item.key());
   return places;
 }
 

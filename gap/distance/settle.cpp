@@ -26,11 +26,6 @@ bool movedBy(const World& world, const std::string& pointer) {
                      [&](const ReferenceOffset& reference) { return reference.pointer == pointer; });
 }
 
-double varianceOf(const Tolerance& tolerance) {
-  const double width = tolerance.high - tolerance.low;
-  return width * width / 12.0;
-}
-
 std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::span<Comparison> comparisons) {
   std::map<std::pair<std::string, std::string>, Offset> offsets;
   for (Comparison& comparison : comparisons) {
@@ -39,7 +34,7 @@ std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::spa
       if (movedBy(world, tolerance.pointer)) continue;
       const auto known = offsets
                              .try_emplace({sample.sample->setup, tolerance.pointer},
-                                          Offset{tolerance.low, tolerance.high, varianceOf(tolerance), 0.0, {}})
+                                          Offset{tolerance.low, tolerance.high, tolerance.variance(), 0.0, {}})
                              .first;
       known->second.moves.emplace_back(&comparison, &tolerance);
     }
@@ -116,7 +111,7 @@ double settle(const Replay& replay, const World& world, std::span<Comparison> co
 }
 
 double drawnOffset(const Tolerance& tolerance, core::Random& random) {
-  return std::clamp(std::sqrt(varianceOf(tolerance)) * random.normal(), tolerance.low, tolerance.high);
+  return std::clamp(std::sqrt(tolerance.variance()) * random.normal(), tolerance.low, tolerance.high);
 }
 
 void scatter(const Replay& replay, const World& world, std::span<Comparison> comparisons, std::uint64_t seed) {

@@ -122,6 +122,7 @@ void Replay::addJumps() {
   if (!among(channels_, kRange)) return;
   std::map<std::string, std::optional<Comb>> combs;  // by sensor
   for (ReplaySample& sample : samples_) {
+    if (sample.tolerances.empty()) continue;
     const std::string& sensor = sample.sample->sensor;
     const auto [known, is_new] = combs.try_emplace(sensor);
     if (is_new) known->second = rangeComb(*this, {sensor});
@@ -269,15 +270,11 @@ core::Detections Replay::reported(const std::vector<model::Shot>& shots, const W
   return detections;
 }
 
-bool isOn(const std::vector<std::string>& sensors, const std::string& sensor) {
-  return sensors.empty() || std::find(sensors.begin(), sensors.end(), sensor) != sensors.end();
-}
-
 std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors) {
   std::vector<double> ranges;
   double step_m = replay.resolution(kRange);
   for (const ReplaySample& sample : replay.samples()) {
-    if (!isOn(sensors, sample.sample->sensor)) continue;
+    if (!model::isOn(sensors, sample.sample->sensor)) continue;
     ranges.insert(ranges.end(), sample.measured.range_m.begin(), sample.measured.range_m.end());
     step_m = std::max(step_m, replay.baseline().model.sensor(sample.sample->sensor).detection.range_resolution_m);
   }

@@ -101,8 +101,6 @@ class Replay {
   mutable std::size_t remembered_shots_ = 0;
 };
 
-/// Whether what is on these sensors, of which none named means all, is on this one.
-[[nodiscard]] bool isOn(const std::vector<std::string>& sensors, const std::string& sensor);
 /// The comb of all ranges that these sensors measured (none named: all), if it is coarser than the steps of their own
 /// profiles. [m]
 [[nodiscard]] std::optional<Comb> rangeComb(const Replay& replay, const std::vector<std::string>& sensors = {});

@@ -109,8 +109,8 @@ double ReplaySample::rangeDeviation_m(std::size_t cell) const {
   double variance_m2 = 0.0;
   for (const Tolerance& tolerance : tolerances) {
     if (cell >= tolerance.range_per_unit.size()) continue;
-    const double moved_m = static_cast<double>(tolerance.range_per_unit[cell]) * (tolerance.high - tolerance.low);
-    variance_m2 += moved_m * moved_m / 12.0;
+    const double slope = static_cast<double>(tolerance.range_per_unit[cell]);
+    variance_m2 += slope * slope * tolerance.variance();
   }
   return std::sqrt(variance_m2);
 }

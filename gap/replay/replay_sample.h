@@ -22,6 +22,9 @@ struct Tolerance {
   double low = 0.0;     ///< offset to the recorded value
   double high = 0.0;
   std::vector<float> range_per_unit;  ///< of every cell that may move: how its range does with the quantity [m/unit]
+
+  /// Of the offset, which lies evenly within its interval. [unit²]
+  [[nodiscard]] double variance() const { return (high - low) * (high - low) / 12.0; }
 };
 
 /// One sample with its measurement and the cells that pair it with simulations.
@@ -47,7 +50,7 @@ struct ReplaySample {
   int frames = 1;
   ForeignFrames foreign;  ///< what the model under test reported, if it is not the built-in lidar
 
-  /// Standard deviation of a cell's range as its tolerances move it, each evenly within its interval.
+  /// Standard deviation of a cell's range as its tolerances move it.
   [[nodiscard]] double rangeDeviation_m(std::size_t cell) const;
 };
 

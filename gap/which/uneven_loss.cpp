@@ -29,9 +29,10 @@ constexpr double kMostLost = 4.0;  // of what is expected of a beam, and so many
 /// The effect of the library that a cause is, or whose number it corrects; null if there is none.
 const model::EffectEntry* effectOf(const Hypothesis& cause) {
   if (cause.kind == CauseKind::kEffect) return model::findEffect(cause.name);
-  const std::string effects = "/effects/";  // JSON Pointers to the numbers of a model file: /effects/<name>/<number>
-  if (cause.kind != CauseKind::kParameter || !cause.name.starts_with(effects)) return nullptr;
-  return model::findEffect(cause.name.substr(effects.size(), cause.name.rfind('/') - effects.size()));
+  if (cause.kind != CauseKind::kParameter) return nullptr;
+  const auto effect = nlohmann::json::json_pointer(cause.name).parent_pointer();  // of /effects/<name>/<number>
+  if (effect.parent_pointer().to_string() != "/effects") return nullptr;
+  return model::findEffect(effect.back());
 }
 
 bool takesFromAllShotsAlike(const Candidate& cause) {

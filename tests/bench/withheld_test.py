@@ -52,6 +52,18 @@ class Chance(unittest.TestCase):
     def test_full_confidence_that_is_always_right_is_calibrated(self):
         self.assertEqual(chance.expected_calibration_error([1.0] * 5, [True] * 5), 0.0)
 
+    def test_true_confidences_are_off_by_chance_as_worked_out_by_hand(self):
+        self.assertEqual(chance.calibration_error_by_chance([1.0, 0.0]), 0.0)
+        self.assertAlmostEqual(chance.calibration_error_by_chance([0.5, 0.5]), 0.25)  # |0 - 1|, |1 - 1|, |2 - 1| at 1/4, 1/2, 1/4, of two
+        self.assertAlmostEqual(chance.calibration_error_by_chance([0.5, 0.25]), (0.5 + 2 * 0.25 * 0.75) / 2)  # each in a bin of its own
+        self.assertIsNone(chance.calibration_error_by_chance([]))
+
+    def test_true_confidences_are_off_by_chance_as_often_as_when_they_are_drawn(self):
+        rng = random.Random(5)
+        told = [rng.uniform(0.3, 0.97) for _ in range(60)]
+        drawn = [chance.expected_calibration_error(told, [rng.random() < c for c in told]) for _ in range(4000)]
+        self.assertAlmostEqual(chance.calibration_error_by_chance(told), sum(drawn) / len(drawn), delta=0.002)  # four standard errors
+
 
 class Distance(unittest.TestCase):
     def test_pure_offset_is_all_bias(self):
@@ -268,6 +280,21 @@ class Rules(unittest.TestCase):
         rows = dict((what, result) for what, _, result in score.table([row]))
         self.assertEqual((rows["right cause first, s >= 2"]["value"], rows["right cause first, s >= 2"]["n"]), (0.0, 1))
         self.assertEqual(rows["without a verdict (crash, time-out)"]["value"], 1.0)
+
+    def test_laws_that_no_library_has_and_effects_taken_out_of_it_are_counted_together_and_apart(self):
+        rows = [{**score.judge(case_of(str(i), class_name, (), "unknown"), result_of(said=said)), "peak_mib": 1} for i, (class_name, said) in enumerate(
+            (("outside", ("unknown", [])), ("outside", ("effect", ["speckle"], 0.5)), ("removed", ("effect", ["speckle"]))))]
+        shown = {what: result["value"] for what, _, result in score.table(rows)}
+        for who, flagged, wrong in (("outside the library", 1 / 3, 1 / 3), ("a law that no library has", 0.5, 0.0),
+                                    ("an effect taken out of the library", 0.0, 1.0)):
+            self.assertAlmostEqual(shown[who + ": flagged as unknown"], flagged)
+            self.assertAlmostEqual(shown[who + ": confidently wrong"], wrong)
+
+    def test_where_a_sector_was_calibrated_away_no_stratum_is_the_right_one(self):
+        rows = [{**score.judge(case_of(str(i), class_name), result_of()), "peak_mib": 1, "stratum": found}
+                for i, (class_name, found) in enumerate((("effect", True), ("hidden", False)))]
+        shown = {what: (result["value"], result["n"]) for what, _, result in score.table(rows)}
+        self.assertEqual(shown["where: right stratum, where the truth has one"], (1.0, 1))
 
     def test_a_beam_in_a_narrow_sector_is_its_stratum_if_it_holds_half_of_the_gap(self):
         row = {"stratum": [0.5, 0.5], "share": 0.9}
