@@ -96,8 +96,12 @@ AsRun asRun(const model::Experiment& experiment, const model::LidarModel& model,
             const Decision& decision, const core::Progress& progress) {
   const Replay replay(experiment, model, kAsRun);
   const HeldOutGaps gaps(replay, held_out.samples, model.seed);
+  AsRun as_run{gaps.before().total, std::nullopt, {}, model.rays_horizontal, model.rays_vertical};
+  if (!decision.winner) return as_run;
   const After after = gaps.with(winnersWorld(replay, decision), progress);
-  return {gaps.before().total, after.gap.total, after.shrink, model.rays_horizontal, model.rays_vertical};
+  as_run.after_total = after.gap.total;
+  as_run.shrink = after.shrink;
+  return as_run;
 }
 
 /// What moves whole frames is no cause's doing: where it is most of the gap, none is named, whatever scatters as much;
@@ -248,10 +252,8 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
     diagnosis.approximation =
         approximationOf(replay, exact.split.held_out.samples, seed, decision.kind != VerdictKind::kNone);
   fillCauses(exact, gaps, decision, frames.has_value(), diagnosis, progress);
-  if (decision.winner) {
-    fillWinner(quick, exact, decision, after, diagnosis, progress);
-    if (!given.external) diagnosis.as_run = asRun(experiment, model, first.split.held_out, decision, progress);
-  }
+  if (decision.winner) fillWinner(quick, exact, decision, after, diagnosis, progress);
+  if (!given.external) diagnosis.as_run = asRun(experiment, model, first.split.held_out, decision, progress);
   fillVerdict(exact, decision, diagnosis);
   fillPictures(quick, exact, where, first.split.held_out, decision, diagnosis);
   diagnosis.notes = notesOn(replay, strayIn(decision));

@@ -120,7 +120,7 @@ struct Diagnosis {
   std::vector<Cause> causes;      ///< best first; two for a pair come first, in one verdict
   std::optional<TotalGap> after;  ///< with the verdict's cause added
   Shrink shrink;
-  std::optional<AsRun> as_run;  ///< with `after`, of the built-in lidar
+  std::optional<AsRun> as_run;  ///< of the built-in lidar
   std::vector<std::string> held_out;
   std::vector<SampleTotals> held_out_totals;   ///< of each of them, if a cause was added
   bool weak_hold_out = false;                  ///< beams of all samples judged: too few samples show the gap

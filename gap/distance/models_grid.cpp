@@ -13,7 +13,8 @@ constexpr double kFar = 10.0;    // standard errors: what is farther may have ot
 constexpr double kNearer = 0.5;  // of the way from the denser grid to the model's
 constexpr double kProven = 5.0;  // standard errors of that share
 
-/// How much of what the model's grid makes of cut beams is in the measurement: least squares through the origin.
+/// How much of what the model's grid makes of cut and stretched beams is in the measurement: least squares through the
+/// origin.
 class ShareOfGrid {
  public:
   void add(double of_grid, double of_measurement) {
@@ -44,7 +45,8 @@ void addSample(const Replay& dense, const Replay& as_run, std::size_t s, ShareOf
   const auto on_grid =
       sample.layout->statisticsOf(detections, beamsOfDetections(detections, sample.beams, sample.sample->measurements));
   for (std::size_t c = 0; c < sample.layout->surfaces(); ++c) {
-    if (sample.layout->cells()[c].share >= kWholeBeam) continue;
+    const Cell& cell = sample.layout->cells()[c];
+    if (cell.share >= kWholeBeam && !cell.at_edge) continue;
     const CellStatistics &m = sample.statistics[c], &d = on_dense[c], &g = on_grid[c];
     if (std::min({m.count, d.count, g.count}) < 1.0) continue;
     for (const Channel channel : dense.channels()) {

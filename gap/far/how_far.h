@@ -35,11 +35,11 @@ struct After {
   std::vector<SampleTotals> samples;
 };
 
-/// The same with the model's own rays, as `fidelis simulate` traces. A diagnosis traces beams that an edge cuts more
-/// finely, so that a coarse grid is neither taken for a gap nor for a cause.
+/// The same with the model's own rays, as `fidelis simulate` traces. A diagnosis traces beams more finely that an edge
+/// cuts or an oblique surface tears apart, so that a coarse grid is neither taken for a gap nor for a cause.
 struct AsRun {
   double before_total = 0.0;
-  double after_total = 0.0;
+  std::optional<double> after_total;  ///< if a cause was added
   Shrink shrink;
   int rays_horizontal = 1;  ///< of a beam
   int rays_vertical = 1;

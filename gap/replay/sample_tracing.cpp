@@ -11,6 +11,9 @@ namespace gap {
 namespace {
 
 constexpr int kFewestRays = 9;  // per direction, whatever the model has
+/// Of a pulse's length: a sum of Gaussian pulses so far apart has ripples of 0.004 of its height, 2 exp(-2 (π σ/d)²) by
+/// Poisson's summation formula, σ of the pulse, d the distance.
+constexpr double kTornApart = 0.75;
 
 /// The corners of the beam, without power: a surface that ends between them and the outermost rays of an even grid
 /// would seem to catch the whole beam.
@@ -31,17 +34,28 @@ bool isFolded(const model::HitsOfBeam& hits) {
   return most - least > kFold;
 }
 
-/// The beams whose sub-rays do not all meet one face of one object.
-std::vector<std::uint32_t> partlyHit(const model::BeamHits& hits) {
-  std::vector<std::uint32_t> partly;
+/// Whether a surface is so oblique to a beam that echoes of neighbouring sub-rays lie farther apart than `most_m`: then
+/// they are echoes of their own, where the surface returns one.
+bool isTornApart(const model::HitsOfBeam& hits, const model::SubRays& rays, double most_m) {
+  std::vector<double> ranges_m;
+  for (const model::Hit& hit : hits)
+    if (rays.weight[hit.ray] > 0.0) ranges_m.push_back(hit.range_m);
+  std::sort(ranges_m.begin(), ranges_m.end());
+  const auto apart = [most_m](double nearer_m, double farther_m) { return farther_m - nearer_m > most_m; };
+  return std::adjacent_find(ranges_m.begin(), ranges_m.end(), apart) != ranges_m.end();
+}
+
+/// The beams whose sub-rays do not all meet one face of one object, and those that an oblique surface tears apart.
+std::vector<std::uint32_t> askingForMore(const model::BeamHits& hits, double torn_m) {
+  std::vector<std::uint32_t> asking;
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     const auto of_beam = hits.of(b);
     if (of_beam.empty() && hits.rays.size() > 1) continue;
     bool whole = of_beam.size() == hits.rays.size() && !isFolded(of_beam);
     for (std::size_t i = 0; whole && i < of_beam.size(); ++i) whole = of_beam[i].object == of_beam[0].object;
-    if (!whole) partly.push_back(b);
+    if (!whole || isTornApart(of_beam, hits.rays, torn_m)) asking.push_back(b);
   }
-  return partly;
+  return asking;
 }
 
 }  // namespace
@@ -58,8 +72,8 @@ GeometryCache::Geometry traceSample(const model::Experiment& experiment, const R
   std::vector<model::Beam> beams = whole ? replayed.whole_scan : replayed.beams;
   chain.aim(beams);
   // Of the recorded pulse: worlds that differ in theirs share their hits.
-  const double pulse_ns = baseline.model.sensor(sample.sensor).emitter.pulse_fwhm_ns;
-  const double range_bin_m = core::kMetresPerNanosecond * pulse_ns / 2.0 / 40.0;
+  const double pulse_m = core::kMetresPerNanosecond * baseline.model.sensor(sample.sensor).emitter.pulse_fwhm_ns / 2.0;
+  const double range_bin_m = pulse_m / 40.0;
   const double left_bin_rad = std::max(1e-4, settings.divergence.horizontal_rad / 4.0);
   if (detail.edge_rays == 0) {
     traced->hits = model::traceWith(chain, traced->situation.scene, std::move(beams),
@@ -73,14 +87,14 @@ GeometryCache::Geometry traceSample(const model::Experiment& experiment, const R
   model::SubRays rays = chain.subRays(horizontal, vertical);
   addCorners(rays, sensor.emitter.beam_profile, settings.divergence);
   const model::BeamHits all = model::traceWith(chain, scene, std::move(beams), std::move(rays));
-  const auto edges = partlyHit(all);
-  std::vector<model::Beam> edge_beams;
-  for (const std::uint32_t b : edges) edge_beams.push_back(all.beams[b]);
+  const auto asking = askingForMore(all, kTornApart * pulse_m);
+  std::vector<model::Beam> asking_beams;
+  for (const std::uint32_t b : asking) asking_beams.push_back(all.beams[b]);
   const model::BeamHits dense =
-      model::traceWith(chain, scene, std::move(edge_beams),
+      model::traceWith(chain, scene, std::move(asking_beams),
                        chain.subRays(std::max(detail.edge_rays, horizontal), std::max(detail.edge_rays, vertical),
                                      model::Grid::kSheared));
-  traced->hits = joined(all, edges, dense, range_bin_m, left_bin_rad);
+  traced->hits = joined(all, asking, dense, range_bin_m, left_bin_rad);
   return traced;
 }
 

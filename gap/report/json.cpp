@@ -100,7 +100,7 @@ Json toJson(const AsRun& as_run) {
   return {{"fraction", as_run.shrink.fraction},
           {"interval", toJson(as_run.shrink.interval)},
           {"before_total", as_run.before_total},
-          {"after_total", as_run.after_total}};
+          {"after_total", *as_run.after_total}};
 }
 
 Json toJson(const VerdictEvidence& evidence) {
@@ -189,7 +189,7 @@ Json reportJson(const Diagnosis& diagnosis) {
   if (const auto& pair = diagnosis.verdict.nearest_pair)
     report["verdict"]["nearest_pair"] = {{"names", pair->names}, {"explained", pair->explained}};
   report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
-  if (diagnosis.as_run) report["shrink"]["as_run"] = toJson(*diagnosis.as_run);
+  if (diagnosis.as_run && diagnosis.as_run->after_total) report["shrink"]["as_run"] = toJson(*diagnosis.as_run);
   report["next_experiment"] = nullptr;
   if (diagnosis.next_experiment) {
     report["next_experiment"] = {{"text", diagnosis.next_experiment->text},

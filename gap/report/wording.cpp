@@ -406,17 +406,22 @@ std::string whereSentence(const WhereRow& row) {
 }
 
 std::string asRunSentence(const Diagnosis& diagnosis) {
-  constexpr double kMatters = 0.05;  // of the gap
-  if (!diagnosis.as_run || std::abs(diagnosis.as_run->shrink.fraction - diagnosis.shrink.fraction) < kMatters)
-    return "";
+  constexpr double kMatters = 0.05;    // of the gap
+  constexpr double kOfTheGrid = 0.25;  // of the gap as run: two draws of noise differ by a tenth of a small one
+  if (!diagnosis.as_run) return "";
   const AsRun& as_run = *diagnosis.as_run;
-  return fmt::format(
-      "Beams that meet the edge of an object are traced more finely here than the model does with its {} × {} rays per "
-      "beam. Run as it is, it shows a total gap of {} and, corrected, {}: {}. More rays bring it nearer to what is "
-      "said here.",
-      as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3),
-      core::significant(as_run.after_total, 3),
-      as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
+  const std::string run = fmt::format(
+      "Beams that meet the edge of an object, or a surface very obliquely, are traced more finely here than the model "
+      "does with its {} × {} rays per beam. Run as it is, it shows a total gap of {}",
+      as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3));
+  if (as_run.after_total && std::abs(as_run.shrink.fraction - diagnosis.shrink.fraction) >= kMatters)
+    return fmt::format("{} and, corrected, {}: {}. More rays bring it nearer to what is said here.", run,
+                       core::significant(*as_run.after_total, 3),
+                       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
+  if (diagnosis.before.total < (1.0 - kOfTheGrid) * as_run.before_total)
+    return fmt::format("{} in place of {}. More rays take that away.", run,
+                       core::significant(diagnosis.before.total, 3));
+  return "";
 }
 
 std::string atEndSentence(const Diagnosis& diagnosis) {

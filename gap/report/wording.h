@@ -34,7 +34,7 @@ struct PartedRows {
 /// "at ranges from 28.1 to 69 m".
 [[nodiscard]] std::string stratumText(const WhereRow& row);
 
-/// Where the model as it is run shows another shrink; else empty.
+/// Where the model as it is run shows another shrink, or a much larger gap; else empty.
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 /// Which numbers of what is named came out at the end of what was searched; empty if none did.
 [[nodiscard]] std::string atEndSentence(const Diagnosis& diagnosis);

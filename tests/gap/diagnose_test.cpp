@@ -246,6 +246,27 @@ TEST(Diagnose, TellsBesideItsOwnGapTheOneThatTheModelHasWhenItIsRun) {
   EXPECT_NE(diagnosis.as_run->before_total, diagnosis.before.total) << "the test must see an edge";
 }
 
+// A wall leans by 80 degrees, and the three sub-rays that the model has over 30 mrad return echoes of their own, a
+// pulse's length apart and more: three of every shot in place of one.
+TEST(Diagnose, SaysThatMoreRaysTakeAwayWhatTheModelsOwnGridMakesOfObliqueSurfaces) {
+  const auto withRays = [](int in_a_row) {
+    nlohmann::json json = SmallWorld::modelWith({{"pulse-broadening", nlohmann::json::object()}},
+                                                {{"/sensor/emitter/divergence_rad/vertical", 0.03},
+                                                 {"/sensor/emitter/peak_power_w", 500.0}})
+                              .json;
+    json["rays_per_beam"] = {in_a_row, in_a_row};
+    return model::parseModel(json, "small-model.json");
+  };
+  SmallWorld world;
+  model::Experiment experiment = world.leaning(80.0).measuredBy(withRays(51), 0.4);
+  std::erase_if(experiment.samples,
+                [](const model::Sample& s) { return s.id != "r8" && s.id != "r13" && s.id != "r19"; });
+  const gap::Diagnosis diagnosis = diagnosed(experiment, withRays(3), {"range-offset"});
+  ASSERT_TRUE(diagnosis.as_run.has_value());
+  EXPECT_GT(diagnosis.as_run->before_total, 2.0 * diagnosis.before.total);
+  EXPECT_THAT(diagnosis.notes, testing::Contains(testing::HasSubstr("3 × 3 rays per beam")));
+}
+
 // A cover that takes 3 % of the light, behind a power that is 2 % too low: both must be right within a per cent, or the
 // pair is farther from the data than the model as it was brought.
 TEST(Diagnose, FindsAnEffectThatACalibrationHidesButForAPerCent) {

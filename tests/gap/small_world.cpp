@@ -121,6 +121,7 @@ json SmallWorld::recorded(const std::map<std::string, double>& offset_m) const {
 
 json SmallWorld::withThings(double reflectivity, const std::map<std::string, double>& offset_m) const {
   json experiment = experimentJson(reflectivity, wall_width_m_, offset_m);
+  experiment["scene"][0]["pose"]["yaw_pitch_roll_deg"][1] = pitch_deg_;
   if (pane_at_m_ > 0.0) addPane(experiment, pane_at_m_);
   return experiment;
 }
@@ -132,6 +133,11 @@ SmallWorld& SmallWorld::measuredUnder(std::uint64_t seed) {
 
 SmallWorld& SmallWorld::withAWallOf(double width_m) {
   wall_width_m_ = width_m;
+  return *this;
+}
+
+SmallWorld& SmallWorld::leaning(double pitch_deg) {
+  pitch_deg_ = pitch_deg;
   return *this;
 }
 

@@ -35,6 +35,8 @@ class SmallWorld {
   [[nodiscard]] nlohmann::json recorded(const std::map<std::string, double>& offset_m = {}) const;
   /// With a wall so wide; as it is, no beam meets its edges.
   SmallWorld& withAWallOf(double width_m);
+  /// The same, leaning away from the sensor by this angle.
+  SmallWorld& leaning(double pitch_deg);
   /// The same, seen through a large pane of glass so far away.
   SmallWorld& behindAPane(double at_m);
   /// The same, recorded with an epistemic interval of ± `half_m` for the wall's distance.
@@ -48,6 +50,7 @@ class SmallWorld {
 
   double reflectivity_;
   double wall_width_m_ = 60.0;
+  double pitch_deg_ = 0.0;
   double pane_at_m_ = 0.0;  ///< 0: there is none
   double known_to_within_m_ = 0.0;
   std::uint64_t seed_ = 4711;

@@ -11,8 +11,8 @@ namespace {
 using test_support::SmallWorld;
 
 /// A model with so many sub-rays in a row.
-model::LidarModel withRays(int in_a_row) {
-  nlohmann::json json = SmallWorld::modelWith({}).json;
+model::LidarModel withRays(int in_a_row, const std::map<std::string, double>& sensor = {}) {
+  nlohmann::json json = SmallWorld::modelWith({}, sensor).json;
   json["rays_per_beam"] = {in_a_row, in_a_row};
   return model::parseModel(json, "small-model.json");
 }
@@ -26,6 +26,26 @@ bool seemsMadeOnTheModelsGrid(int in_a_row) {
   const gap::Replay dense(experiment, withRays(7), {.edge_rays = 33});
   const gap::Replay as_run(experiment, withRays(7), {.edge_rays = 0});
   return gap::madeOnTheModelsGrid(dense, as_run);
+}
+
+/// The same of a grid of 3 by 3 and a wall that leans by 80 degrees: neighbours of three sub-rays over 30 mrad meet it
+/// 1.1 m apart, farther than a pulse is long (0.67 m), neighbours of 51 do not. No beam meets its edges.
+bool seemsMadeOnTheGridThatTearsEchoes(int in_a_row) {
+  const std::map<std::string, double> tall = {{"/sensor/emitter/divergence_rad/vertical", 0.03},
+                                              {"/sensor/emitter/peak_power_w", 500.0}};
+  SmallWorld world;
+  model::Experiment experiment = world.leaning(80.0).measuredBy(withRays(in_a_row, tall), 0.4);
+  std::erase_if(experiment.samples, [](const model::Sample& s) { return s.id != "r19"; });
+  const gap::Replay dense(experiment, withRays(3, tall), {.edge_rays = 33});
+  const gap::Replay as_run(experiment, withRays(3, tall), {.edge_rays = 0});
+  for (const gap::ReplaySample& sample : dense.samples())
+    for (const gap::Cell& cell : sample.layout->cells()) EXPECT_GE(cell.share, gap::kWholeBeam);
+  return gap::madeOnTheModelsGrid(dense, as_run);
+}
+
+TEST(ModelsGrid, IsSeenWhereItTearsTheEchoesOfAnObliqueSurfaceApart) {
+  EXPECT_TRUE(seemsMadeOnTheGridThatTearsEchoes(3));
+  EXPECT_FALSE(seemsMadeOnTheGridThatTearsEchoes(51));
 }
 
 TEST(ModelsGrid, IsSeenInWhatTheModelItselfMeasured) { EXPECT_TRUE(seemsMadeOnTheModelsGrid(7)); }
