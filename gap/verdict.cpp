@@ -113,7 +113,7 @@ std::optional<NearestPair> nearestPairIn(const Decision& decision) {
   return nearest;
 }
 
-bool poses(const Candidate& candidate) {
+bool mayBeAnywhere(const Candidate& candidate) {
   const std::vector<Candidate> members = membersOf(candidate);
   return std::any_of(members.begin(), members.end(), [](const Candidate& m) { return m.hypothesis.anywhere; });
 }
@@ -136,7 +136,7 @@ void fillCauses(const Judge& judge, const HeldOutGaps& gaps, const Decision& dec
                       (by_means ? kByMeansAlone : 1.0);
   const double named = decision.winner ? kLeastNamed : 0.0;
   const auto beliefOf = [&](const Candidate& candidate) {
-    return most * (poses(candidate) ? kAnywhere : 1.0) * std::max(named, beliefIn(judge, candidate));
+    return most * (mayBeAnywhere(candidate) ? kAnywhere : 1.0) * std::max(named, beliefIn(judge, candidate));
   };
   const auto confidences =
       decision.singles.empty() ? std::vector<double>{} : confidencesOf(decision, beliefOf(decision.singles.front()));
