@@ -40,6 +40,9 @@ bool isTornApart(const model::HitsOfBeam& hits, const model::SubRays& rays, doub
   std::vector<double> ranges_m;
   for (const model::Hit& hit : hits)
     if (rays.weight[hit.ray] > 0.0) ranges_m.push_back(hit.range_m);
+  if (ranges_m.empty()) return false;
+  const auto [nearest, farthest] = std::minmax_element(ranges_m.begin(), ranges_m.end());
+  if (*farthest - *nearest <= most_m) return false;  // most beams; sorting takes long
   std::sort(ranges_m.begin(), ranges_m.end());
   const auto apart = [most_m](double nearer_m, double farther_m) { return farther_m - nearer_m > most_m; };
   return std::adjacent_find(ranges_m.begin(), ranges_m.end(), apart) != ranges_m.end();
