@@ -96,11 +96,10 @@ AsRun asRun(const model::Experiment& experiment, const model::LidarModel& model,
             const Decision& decision, const core::Progress& progress) {
   const Replay replay(experiment, model, kAsRun);
   const HeldOutGaps gaps(replay, held_out.samples, model.seed);
-  AsRun as_run{gaps.before().total, std::nullopt, {}, model.rays_horizontal, model.rays_vertical};
+  AsRun as_run{gaps.before().total, std::nullopt, model.rays_horizontal, model.rays_vertical};
   if (!decision.winner) return as_run;
   const After after = gaps.with(winnersWorld(replay, decision), progress);
-  as_run.after_total = after.gap.total;
-  as_run.shrink = after.shrink;
+  as_run.corrected = AsRun::Corrected{after.gap.total, after.shrink};
   return as_run;
 }
 

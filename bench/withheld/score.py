@@ -201,6 +201,7 @@ def table(rows):
     single = of_class(rows, "effect")
     pairs = [r for r in of_class(rows, "pair") if r.get("least_member") is not None]  # older sets do not say it
     strong, fair, weak = ([r for r in single if r["bin"] in b] for b in ((2, 4), (1,), (0.5,)))
+    seen = [r for r in rows if (r["bin"] or 0) >= 1]
     shrunk = [r for r in rows if r.get("actual") is not None and r.get("claimed") is not None]
     for r in shrunk:
         r["shrink_error"] = abs(r["claimed"] - r["actual"])
@@ -246,9 +247,9 @@ def table(rows):
         ("all classes: right, where the two programs agree", "", rate(agree(rows), lambda r: r["right"])),
         ("all classes: right, where they differ by more than the cause", "", rate([r for r in rows if programs_differ(r)], lambda r: r["right"])),
         ("first where row in a measurand in which the gap stands out", ">= 0.95",
-         rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r.get("standing"))),
-        ("first where row in a measurand that holds much of the gap", "", rate([r for r in rows if (r["bin"] or 0) >= 1], lambda r: r["where"])),
-        ("where: right stratum, where the truth has one", ">= 0.95", rate([r for r in rows if (r["bin"] or 0) >= 1 and r["class"] != "hidden"], lambda r: r["stratum"])),
+         rate(seen, lambda r: r.get("standing"))),
+        ("first where row in a measurand that holds much of the gap", "", rate(seen, lambda r: r["where"])),
+        ("where: right stratum, where the truth has one", ">= 0.95", rate([r for r in seen if r["class"] != "hidden"], lambda r: r["stratum"])),
         ("claimed against actual shrink, median error", "<= 0.05", number(chance.median([r["shrink_error"] for r in shrunk]), len(shrunk))),
         ("actual shrink inside the claimed interval", "0.85 ... 0.95", rate(shrunk, lambda r: None if not r.get("interval") else
          r["interval"][0] <= r["actual"] <= r["interval"][1])),

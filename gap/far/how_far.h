@@ -38,10 +38,13 @@ struct After {
 /// The same with the model's own rays, as `fidelis simulate` traces. A diagnosis traces beams more finely that an edge
 /// cuts or an oblique surface tears apart, so that a coarse grid is neither taken for a gap nor for a cause.
 struct AsRun {
+  struct Corrected {
+    double after_total = 0.0;
+    Shrink shrink;
+  };
   double before_total = 0.0;
-  std::optional<double> after_total;  ///< if a cause was added
-  Shrink shrink;
-  int rays_horizontal = 1;  ///< of a beam
+  std::optional<Corrected> corrected;  ///< if a cause was added
+  int rays_horizontal = 1;             ///< of a beam
   int rays_vertical = 1;
 };
 

@@ -13,6 +13,7 @@
 #include "core/grouped.h"
 #include "core/physics.h"
 #include "gap/replay/statistics.h"
+#include "gap/replay/stretch.h"
 
 namespace gap {
 
@@ -133,16 +134,6 @@ std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& 
   return object == kNone || weight > kWholeBeam ? object : kMixed;
 }
 
-/// How far apart the nearest and the farthest point are that a beam meets.
-double stretchOf(const model::HitsOfBeam& of_beam) {
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
-  for (const model::Hit& hit : of_beam) {
-    nearest = std::min(nearest, static_cast<double>(hit.range_m));
-    farthest = std::max(farthest, static_cast<double>(hit.range_m));
-  }
-  return farthest - nearest;
-}
-
 /// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.
 std::vector<bool> edgesOf(const model::BeamHits& hits, const std::vector<std::int32_t>& sole) {
   constexpr double kNext = 2.2;  // steps of the scan
@@ -225,7 +216,7 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
-    const bool at_edge = sole[b] == kMixed || stretchOf(hits.of(b)) > width_m;
+    const bool at_edge = sole[b] == kMixed || stretchOf_m(hits.of(b)) > width_m;
     for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
                         surface.weight, at_edge});

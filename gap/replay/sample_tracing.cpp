@@ -5,6 +5,7 @@
 
 #include "core/physics.h"
 #include "gap/replay/joined_hits.h"
+#include "gap/replay/stretch.h"
 
 namespace gap {
 
@@ -32,20 +33,6 @@ bool isFolded(const model::HitsOfBeam& hits) {
     most = std::max(most, hit.cos_incidence);
   }
   return most - least > kFold;
-}
-
-/// Whether a surface is so oblique to a beam that echoes of neighbouring sub-rays lie farther apart than `most_m`: then
-/// they are echoes of their own, where the surface returns one.
-bool isTornApart(const model::HitsOfBeam& hits, const model::SubRays& rays, double most_m) {
-  std::vector<double> ranges_m;
-  for (const model::Hit& hit : hits)
-    if (rays.weight[hit.ray] > 0.0) ranges_m.push_back(hit.range_m);
-  if (ranges_m.empty()) return false;
-  const auto [nearest, farthest] = std::minmax_element(ranges_m.begin(), ranges_m.end());
-  if (*farthest - *nearest <= most_m) return false;  // most beams; sorting takes long
-  std::sort(ranges_m.begin(), ranges_m.end());
-  const auto apart = [most_m](double nearer_m, double farther_m) { return farther_m - nearer_m > most_m; };
-  return std::adjacent_find(ranges_m.begin(), ranges_m.end(), apart) != ranges_m.end();
 }
 
 /// The beams whose sub-rays do not all meet one face of one object, and those that an oblique surface tears apart.

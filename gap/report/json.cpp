@@ -96,11 +96,11 @@ Json shrinkJson(const Diagnosis& diagnosis) {
           {"samples", samples}};
 }
 
-Json toJson(const AsRun& as_run) {
-  return {{"fraction", as_run.shrink.fraction},
-          {"interval", toJson(as_run.shrink.interval)},
-          {"before_total", as_run.before_total},
-          {"after_total", *as_run.after_total}};
+Json toJson(double before_total, const AsRun::Corrected& corrected) {
+  return {{"fraction", corrected.shrink.fraction},
+          {"interval", toJson(corrected.shrink.interval)},
+          {"before_total", before_total},
+          {"after_total", corrected.after_total}};
 }
 
 Json toJson(const VerdictEvidence& evidence) {
@@ -189,7 +189,8 @@ Json reportJson(const Diagnosis& diagnosis) {
   if (const auto& pair = diagnosis.verdict.nearest_pair)
     report["verdict"]["nearest_pair"] = {{"names", pair->names}, {"explained", pair->explained}};
   report["shrink"] = diagnosis.after ? shrinkJson(diagnosis) : Json(nullptr);
-  if (diagnosis.as_run && diagnosis.as_run->after_total) report["shrink"]["as_run"] = toJson(*diagnosis.as_run);
+  if (const auto& as_run = diagnosis.as_run; as_run && as_run->corrected)
+    report["shrink"]["as_run"] = toJson(as_run->before_total, *as_run->corrected);
   report["next_experiment"] = nullptr;
   if (diagnosis.next_experiment) {
     report["next_experiment"] = {{"text", diagnosis.next_experiment->text},

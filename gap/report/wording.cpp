@@ -414,10 +414,11 @@ std::string asRunSentence(const Diagnosis& diagnosis) {
       "Beams that meet the edge of an object, or a surface very obliquely, are traced more finely here than the model "
       "does with its {} × {} rays per beam. Run as it is, it shows a total gap of {}",
       as_run.rays_horizontal, as_run.rays_vertical, core::significant(as_run.before_total, 3));
-  if (as_run.after_total && std::abs(as_run.shrink.fraction - diagnosis.shrink.fraction) >= kMatters)
+  const auto& corrected = as_run.corrected;
+  if (corrected && std::abs(corrected->shrink.fraction - diagnosis.shrink.fraction) >= kMatters)
     return fmt::format("{} and, corrected, {}: {}. More rays bring it nearer to what is said here.", run,
-                       core::significant(*as_run.after_total, 3),
-                       as_run.shrink.fraction > 0.0 ? percent(as_run.shrink.fraction) + " less" : "no less");
+                       core::significant(corrected->after_total, 3),
+                       corrected->shrink.fraction > 0.0 ? percent(corrected->shrink.fraction) + " less" : "no less");
   if (diagnosis.before.total < (1.0 - kOfTheGrid) * as_run.before_total)
     return fmt::format("{} in place of {}. More rays take that away.", run,
                        core::significant(diagnosis.before.total, 3));

@@ -246,16 +246,11 @@ TEST(Diagnose, TellsBesideItsOwnGapTheOneThatTheModelHasWhenItIsRun) {
   EXPECT_NE(diagnosis.as_run->before_total, diagnosis.before.total) << "the test must see an edge";
 }
 
-// A wall leans by 80 degrees, and the three sub-rays that the model has over 30 mrad return echoes of their own, a
-// pulse's length apart and more: three of every shot in place of one.
+// Of tall beams on a wall that leans by 80 degrees three sub-rays return echoes of their own: three of every shot in
+// place of one.
 TEST(Diagnose, SaysThatMoreRaysTakeAwayWhatTheModelsOwnGridMakesOfObliqueSurfaces) {
   const auto withRays = [](int in_a_row) {
-    nlohmann::json json = SmallWorld::modelWith({{"pulse-broadening", nlohmann::json::object()}},
-                                                {{"/sensor/emitter/divergence_rad/vertical", 0.03},
-                                                 {"/sensor/emitter/peak_power_w", 500.0}})
-                              .json;
-    json["rays_per_beam"] = {in_a_row, in_a_row};
-    return model::parseModel(json, "small-model.json");
+    return SmallWorld::withRays(in_a_row, {{"pulse-broadening", nlohmann::json::object()}}, SmallWorld::tallBeams());
   };
   SmallWorld world;
   model::Experiment experiment = world.leaning(80.0).measuredBy(withRays(51), 0.4);

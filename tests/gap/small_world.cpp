@@ -84,6 +84,13 @@ json experimentJson(double reflectivity, double width_m, const std::map<std::str
 
 }  // namespace
 
+model::LidarModel SmallWorld::withRays(int in_a_row, const Effects& effects,
+                                       const std::map<std::string, double>& sensor) {
+  nlohmann::json value = modelWith(effects, sensor).json;
+  value["rays_per_beam"] = {in_a_row, in_a_row};
+  return model::parseModel(value, "small-model.json");
+}
+
 model::LidarModel SmallWorld::modelWith(const Effects& effects, const std::map<std::string, double>& sensor) {
   json value = {{"format", "fidelis-model"},
                 {"version", 1},

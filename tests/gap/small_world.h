@@ -21,6 +21,14 @@ class SmallWorld {
   /// The model with these effects beside beam divergence; other `sensor` values by JSON Pointer.
   [[nodiscard]] static model::LidarModel modelWith(const Effects& effects,
                                                    const std::map<std::string, double>& sensor = {});
+  /// The same with so many sub-rays in every row and column of a beam.
+  [[nodiscard]] static model::LidarModel withRays(int in_a_row, const Effects& effects = {},
+                                                  const std::map<std::string, double>& sensor = {});
+  /// Of beams so tall that neighbours of three sub-rays meet a wall that leans by 80 degrees 1.1 m apart, farther than
+  /// a pulse is long (0.67 m); neighbours of 51 do not.
+  [[nodiscard]] static std::map<std::string, double> tallBeams() {
+    return {{"/sensor/emitter/divergence_rad/vertical", 0.03}, {"/sensor/emitter/peak_power_w", 500.0}};
+  }
   /// Of a sensor that looks hardly past its beam: 8 m away it sees the whole beam up to an aperture offset of 50 mm,
   /// and nothing of it from 58 mm on.
   [[nodiscard]] static std::map<std::string, double> narrowView() {

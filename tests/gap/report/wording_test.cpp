@@ -65,11 +65,11 @@ TEST(Answer, OfCausesThatCannotBeToldApartNamesBoth) {
 }
 
 /// Of a model that shows so large a gap when it is run, where the diagnosis sees one of 100.
-std::string asRunOf(double before_total, std::optional<double> after_total, double fraction) {
+std::string asRunOf(double before_total, std::optional<AsRun::Corrected> corrected) {
   Diagnosis diagnosis;
   diagnosis.before.total = 100.0;
   diagnosis.shrink.fraction = 0.6;
-  diagnosis.as_run = AsRun{before_total, after_total, {.fraction = fraction}, 11, 9};
+  diagnosis.as_run = AsRun{before_total, corrected, 11, 9};
   return asRunSentence(diagnosis);
 }
 
@@ -77,12 +77,13 @@ TEST(AsRun, IsSaidWhereItsOwnGridShrinksOtherwiseOrMakesMuchOfTheGap) {
   const std::string traced =
       "Beams that meet the edge of an object, or a surface very obliquely, are traced more finely here than the model "
       "does with its 11 × 9 rays per beam. Run as it is, it shows a total gap of ";
-  EXPECT_EQ(asRunOf(120.0, 90.0, 0.25),
+  EXPECT_EQ(asRunOf(120.0, AsRun::Corrected{90.0, {.fraction = 0.25}}),
             traced + "120 and, corrected, 90: 25 % less. More rays bring it nearer to what is said here.");
-  EXPECT_EQ(asRunOf(400.0, std::nullopt, 0.0), traced + "400 in place of 100. More rays take that away.");
-  EXPECT_EQ(asRunOf(400.0, 160.0, 0.6), traced + "400 in place of 100. More rays take that away.");
-  EXPECT_EQ(asRunOf(120.0, 48.0, 0.6), "") << "about what is said of the finer grid";
-  EXPECT_EQ(asRunOf(80.0, std::nullopt, 0.0), "");
+  EXPECT_EQ(asRunOf(400.0, std::nullopt), traced + "400 in place of 100. More rays take that away.");
+  EXPECT_EQ(asRunOf(400.0, AsRun::Corrected{160.0, {.fraction = 0.6}}),
+            traced + "400 in place of 100. More rays take that away.");
+  EXPECT_EQ(asRunOf(120.0, AsRun::Corrected{48.0, {.fraction = 0.6}}), "") << "about what is said of the finer grid";
+  EXPECT_EQ(asRunOf(80.0, std::nullopt), "");
 }
 
 /// Of a cloud, named or only weighed, that came out as large as clouds are searched.
