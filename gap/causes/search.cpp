@@ -241,6 +241,18 @@ Point withOtherCounts(const Objective& objective, Point best, const Reach& reach
   return best;
 }
 
+/// The numbers that stay where they are when a valley is followed.
+std::vector<Held> heldInValley(const Objective& objective, const std::vector<double>& start) {
+  std::vector<std::size_t> numbers = objective.thatJump();
+  const std::vector<std::size_t> tracing = objective.thatTraceAnew(start);
+  numbers.insert(numbers.end(), tracing.begin(), tracing.end());
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<Held> held;
+  for (const std::size_t i : numbers) held.push_back({i, start[i]});
+  return held;
+}
+
 /// The numbers that stay where they are because every look would trace anew.
 std::vector<Held> heldBy(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
   std::vector<Held> held;
@@ -279,6 +291,13 @@ std::vector<std::size_t> Objective::counts() const {
   for (std::size_t i = 0; i < hypothesis_.parameters.size(); ++i)
     if (hypothesis_.parameters[i].whole) counts.push_back(i);
   return counts;
+}
+
+std::vector<std::size_t> Objective::thatJump() const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < hypothesis_.parameters.size(); ++i)
+    if (hypothesis_.parameters[i].azimuth || hypothesis_.parameters[i].whole || edges_.isEdge(i)) numbers.push_back(i);
+  return numbers;
 }
 
 bool smooth(const Hypothesis& hypothesis) {
@@ -349,14 +368,15 @@ Point walkedFrom(const Objective& objective, Point start, double first_step, int
   constexpr double kLeadsOn = 0.5, kLeastStep = 5e-5;  // nats, of the unit cube
   constexpr double kOfWhatIsLeft = 0.002;  // where much is left that no number explains, half a nat is next to nothing
   constexpr double kLeastGain = 0.1;       // of what leads on: a walk ends
-  if (start.unit.size() == 1 || !objective.smooth() || objective.tracesAnew(start.unit)) return start;
+  const std::vector<Held> held = heldInValley(objective, start.unit);
+  if (start.unit.size() < held.size() + 2) return start;
   Point place = std::move(start);
   const double leads_on = std::max(kLeadsOn, kOfWhatIsLeft * place.discrepancy);
   double gained = leads_on;
   const auto arrived = [&](int walks) { return walks >= kWalks && gained < kFar * place.discrepancy; };
   for (int walk = 0; walk < kMostWalks && gained >= leads_on && !arrived(walk); ++walk) {
-    Point further =
-        searchedBy({NLOPT_LN_NELDERMEAD, first_step, trials, kLeastStep, kLeastGain * leads_on}, objective, place.unit);
+    Point further = searchedBy({NLOPT_LN_NELDERMEAD, first_step, trials, kLeastStep, kLeastGain * leads_on}, objective,
+                               place.unit, held);
     gained = place.discrepancy - further.discrepancy;
     if (gained > 0.0) place = std::move(further);
   }

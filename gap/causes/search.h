@@ -27,9 +27,10 @@ class Objective {
   /// In the unit cube, of edges in place of middles and widths. Ends of a sector are searched within a few degrees of
   /// their start: beyond, nothing leads back.
   [[nodiscard]] std::vector<double> firstSteps(double step) const;
-  [[nodiscard]] bool smooth() const { return gap::smooth(hypothesis_); }
   /// Which of its numbers are whole.
   [[nodiscard]] std::vector<std::size_t> counts() const;
+  /// Of which of its numbers small steps jump: counts, and the ends of sectors.
+  [[nodiscard]] std::vector<std::size_t> thatJump() const;
   /// Which of its numbers send the rays other ways: then every look takes long.
   [[nodiscard]] std::vector<std::size_t> thatTraceAnew(const std::vector<double>& unit) const;
   [[nodiscard]] bool tracesAnew(const std::vector<double>& unit) const { return !thatTraceAnew(unit).empty(); }
@@ -75,8 +76,8 @@ inline constexpr int kLineBits = 13;
 
 /// Where the narrow valley leads that several numbers of like effect make (how wet a surface is, and how flat the
 /// film): a simplex follows it (Nelder & Mead 1965, Comput. J. 7, 308), again and again while it leads on; never worse
-/// than the start, whose discrepancy is known. The start where the objective is not smooth, or a look takes tracing.
-/// `trials`: of each walk.
+/// than the start, whose discrepancy is known. Numbers of which small steps jump, and those that take tracing anew,
+/// stay where they are. `trials`: of each walk.
 [[nodiscard]] Point walkedFrom(const Objective& objective, Point start, double first_step, int trials);
 
 }  // namespace gap

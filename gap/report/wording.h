@@ -7,6 +7,7 @@
 #include "gap/diagnosis.h"
 #include "gap/report/quantities.h"
 #include "gap/which/frame_mode.h"
+#include "gap/which/rivals.h"
 #include "gap/which/uneven_loss.h"
 
 namespace gap {
@@ -38,6 +39,9 @@ struct PartedRows {
 [[nodiscard]] std::string asRunSentence(const Diagnosis& diagnosis);
 /// Which numbers of what is named came out at the end of what was searched; empty if none did.
 [[nodiscard]] std::string atEndSentence(const Diagnosis& diagnosis);
+/// Which numbers may be wrong in place of which of the two effects that are named, a sentence for each effect.
+[[nodiscard]] std::vector<std::string> recalibrationSentences(const std::vector<Rival>& numbers,
+                                                              const std::vector<std::string>& named);
 /// What contradicts every cause that was tried, in words.
 struct ContradictionWords {
   const char* in;        ///< where measurement and simulation differ

@@ -243,6 +243,7 @@ void Decision::nameNothing(Contradiction why) {
   contradiction = why;
   winner.reset();
   rivals.clear();
+  recalibrations.clear();
   kind = VerdictKind::kUnknown;
 }
 

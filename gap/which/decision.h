@@ -26,10 +26,11 @@ enum class Contradiction {
 /// What the search for causes ended with.
 struct Decision {
   VerdictKind kind = VerdictKind::kUnknown;
-  std::optional<Candidate> winner;  ///< a single cause or a pair (Hypothesis::members)
-  std::vector<Candidate> singles;   ///< best first
-  std::vector<Candidate> pairs;     ///< those that were tried, best first
-  std::vector<Rival> rivals;        ///< that come near to a single winner, or to one of a pair that is named
+  std::optional<Candidate> winner;    ///< a single cause or a pair (Hypothesis::members)
+  std::vector<Candidate> singles;     ///< best first
+  std::vector<Candidate> pairs;       ///< those that were tried, best first
+  std::vector<Rival> rivals;          ///< that come near to a single winner, or to one of a pair that is named
+  std::vector<Rival> recalibrations;  ///< numbers that may be wrong in place of one of two effects that are named
   Contradiction contradiction = Contradiction::kNone;
   double p_value = 1.0;  ///< of the gain that proved a cause where no gap is clear, times their number
 

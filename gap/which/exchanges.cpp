@@ -12,6 +12,7 @@
 #include "gap/which/leading_pairs.h"
 #include "gap/which/partners.h"
 #include "gap/which/same_sector.h"
+#include "gap/which/world_to_make.h"
 
 namespace gap {
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::size_t kOfEachMember = 5;
 constexpr std::size_t kBestAlone = 4;    // as fitted alone, each may be far off beside another: all are fitted there
+constexpr double kSameWay = 0.5;         // of how far a member leads: what comes nearer to it does much the same
 constexpr double kTooFarBehind = 0.3;    // of what the exchanged member brings to the fitted samples
 constexpr std::size_t kFittedWell = 12;  // of all that were fitted roughly
 
@@ -78,6 +80,41 @@ std::vector<Exchanged> nearestBeside(const Judge& quick, const Candidate& kept, 
   return nearest;
 }
 
+/// The parameters that do beside an effect what the exchanged member does, at the values that do it: one that a
+/// calibration gave a value that hides the effect is, fitted alone, what it was calibrated to.
+std::vector<Exchanged> parametersInPlaceOf(const Judge& quick, const Candidate& member, const Candidate& kept,
+                                           const std::vector<Candidate>& singles, double most_left,
+                                           const core::Progress& progress) {
+  if (kept.hypothesis.kind != CauseKind::kEffect) return {};
+  const Candidate pair = pairOf(kept, member);
+  const WorldToMake world(quick, worldOf(quick.replay, pair.hypothesis, pair.values));
+  const double alone = world.distanceOf(worldOf(quick.replay, kept.hypothesis, kept.values));
+  std::vector<Candidate> parameters;
+  for (const Candidate& single : singles) {
+    const bool other = single.hypothesis.name != member.hypothesis.name;
+    if (other && single.hypothesis.kind == CauseKind::kParameter && pairable(kept.hypothesis, single.hypothesis))
+      parameters.push_back(pairOf(kept, single));
+  }
+  std::vector<char> alike(parameters.size());
+  core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) {
+    core::stopIfCancelled(progress);
+    Candidate& both = parameters[p];
+    const auto worldAt = [&](double value) {
+      std::vector<double> values = both.values;
+      values.back() = value;
+      return worldOf(quick.replay, both.hypothesis, values);
+    };
+    if (quick.replay.movesRays(worldAt(both.values.back()))) return;  // every value is traced anew
+    const auto nearest = world.nearestOf(both.hypothesis.parameters.back(), both.values.back(), worldAt);
+    both.values.back() = nearest.value;
+    alike[p] = nearest.distance < kSameWay * alone;
+  });
+  std::vector<Exchanged> exchanged;
+  for (std::size_t p = 0; p < parameters.size(); ++p)
+    if (alike[p]) exchanged.push_back({std::move(parameters[p]), most_left});
+  return exchanged;
+}
+
 /// Those that come nearest once they were fitted roughly, unless they are so far behind the known pair that no fit to
 /// the end helps, which takes as long as that of the known pair.
 std::vector<Candidate> nearestRoughly(const Judge& quick, std::vector<Exchanged> others,
@@ -118,6 +155,8 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
     const double alone = quick.leftOfFitted(members[kept].hypothesis, members[kept].values);
     const double most_left = of_pair + kTooFarBehind * std::max(0.0, alone - of_pair);
     for (Exchanged& other : nearestBeside(quick, members[kept], members[1 - kept], known, most_left, progress))
+      exchanged.push_back(std::move(other));
+    for (Exchanged& other : parametersInPlaceOf(quick, members[1 - kept], members[kept], singles, most_left, progress))
       exchanged.push_back(std::move(other));
     for (const Candidate& counted : asCountedBeside(exact, members[kept], singles))
       exchanged.push_back({pairOf(members[kept], counted), std::numeric_limits<double>::infinity()});

@@ -235,6 +235,7 @@ void nameFirstOf(std::vector<Candidate>& pairs, const Judge& quick, const Judge&
   pairs.front() = *decision.winner;  // its members in the same order
   const double added = std::max(0.0, 1.0 - decision.singles.front().explained / pairs.front().explained);
   decision.rivals = rivalsInPairs(quick, exact, pairs, added);
+  decision.recalibrations = recalibrationsInPairs(quick, exact, pairs, added);
 }
 
 bool namesAPair(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,

@@ -35,8 +35,11 @@ class PairSearch {
       append(guesses, i == leaders.front() ? searchedAnewBeside(i) : guesses_.partnersOf(i, singles_[i].values));
     }
     append(guesses, guesses_.nearestSums());
-    append(guesses, recalibrations_.hidden());
+    Recalibrations::Hidden hidden = recalibrations_.hidden();
+    append(guesses, std::move(hidden.by_spreads));
     fit(std::move(guesses));
+    fit(std::move(hidden.by_means));
+    fit(std::move(hidden.by_another));
     fitWhatIsNearer(hiddenFromFewData(left));
     if (littleIsExplained()) fit(guesses_.nearestOfEveryTwo());
     for (int round = 0; round < kExchanges && !pairs_.empty(); ++round) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -13,7 +14,7 @@ namespace gap {
 namespace {
 
 constexpr std::size_t kHiddenFitted = 8;   // effects that a recalibration may hide,
-constexpr std::size_t kHiddenInMeans = 4;  // and such that few outlying cells hide as well,
+constexpr std::size_t kHiddenInMeans = 6;  // and such that few outlying cells hide as well,
 constexpr std::size_t kHiddenByAll = 3;    // and such that all data show, of which
 constexpr std::size_t kAskedAlong = 5;     // places are asked, all along the values of the parameter
 constexpr double kAlikeAlong = 30.0;       // nats: so alike are they by what few data and sums of shifts say
@@ -44,11 +45,14 @@ void keepNearer(Guess guess, std::map<std::size_t, Guess>& nearest) {
   if (!added && guess.distance < known->second.distance) known->second = std::move(guess);
 }
 
-/// With every first cause the nearest guess.
-std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses) {
+/// With every first cause the nearest guess; the others are put into `rest`.
+std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses, std::vector<Guess>* rest = nullptr) {
   std::set<std::size_t> taken;
   guesses = nearestOf(std::move(guesses), guesses.size());
-  std::erase_if(guesses, [&](const Guess& guess) { return !taken.insert(guess.first).second; });
+  const auto others = std::stable_partition(guesses.begin(), guesses.end(),
+                                            [&](const Guess& guess) { return taken.insert(guess.first).second; });
+  if (rest) rest->assign(std::make_move_iterator(others), std::make_move_iterator(guesses.end()));
+  guesses.erase(others, guesses.end());
   return guesses;
 }
 
@@ -60,23 +64,25 @@ const Hypothesis& Recalibrations::hypothesisOf(const Looks::Atom& atom) const {
   return looks_.singles()[atom.single].hypothesis;
 }
 
-std::vector<Guess> Recalibrations::hidden() const {
+Recalibrations::Hidden Recalibrations::hidden() const {
   std::vector<std::size_t> parameters;
   for (std::size_t i = 0; i < looks_.singles().size(); ++i)
     if (looks_.singles()[i].hypothesis.kind == CauseKind::kParameter) parameters.push_back(i);
   std::vector<std::vector<Guess>> squared(parameters.size()), robust(parameters.size());
   core::parallelFor(parameters.size(), 1, [&](std::size_t p, std::size_t) {
     const std::vector<Step> steps = stepsOf(parameters[p]);
-    squared[p] = hiddenBy(parameters[p], steps, squaredDistance);
-    robust[p] = hiddenBy(parameters[p], steps, robustDistance);
+    squared[p] = hiddenBy(parameters[p], steps, {squaredDistance, false});
+    robust[p] = hiddenBy(parameters[p], steps, {robustDistance, true});
   });
   // Spreads are few entries, which say most of what scatters; means of cells are many.
-  std::vector<Guess> guesses, by_means;
-  for (auto& some : squared) append(guesses, std::move(some));
-  guesses = looks_.lookedAt(nearestOf(nearestOfEachFirst(std::move(guesses)), kHiddenFitted));
+  std::vector<Guess> by_spreads, by_means, by_another;
+  for (auto& some : squared) append(by_spreads, std::move(some));
+  by_spreads = looks_.lookedAt(nearestOf(nearestOfEachFirst(std::move(by_spreads)), kHiddenFitted));
   for (auto& some : robust) append(by_means, std::move(some));
-  append(guesses, nearestOf(nearestOfEachFirst(looks_.lookedAt(std::move(by_means))), kHiddenInMeans));
-  return guesses;
+  by_means = nearestOfEachFirst(looks_.lookedAt(std::move(by_means)), &by_another);
+  by_another = nearestOfEachFirst(std::move(by_another));
+  return {std::move(by_spreads), nearestOf(std::move(by_means), kHiddenInMeans),
+          nearestOf(std::move(by_another), kHiddenInMeans)};
 }
 
 void Recalibrations::findSpans() {
@@ -123,11 +129,12 @@ void Recalibrations::lookBetween(std::size_t parameter, const Step& step, Farnes
 
 /// Of every effect the place and the value of the parameter that come nearest together.
 std::vector<Guess> Recalibrations::hiddenBy(std::size_t parameter, const std::vector<Step>& steps,
-                                            Farness farness) const {
+                                            const Look& look) const {
   Nearest nearest;
   for (const Step& step : steps) {
     core::stopIfCancelled(looks_.progress());
-    for (auto& [effect, guess] : nearestBeside(parameter, step, farness)) keepNearer(std::move(guess), nearest);
+    for (auto& [effect, guess] : nearestBeside(parameter, step, look.farness)) keepNearer(std::move(guess), nearest);
+    if (look.between) lookBetween(parameter, step, look.farness, nearest);
   }
   std::vector<Guess> guesses;
   for (auto& [effect, guess] : nearest) guesses.push_back(std::move(guess));

@@ -17,8 +17,14 @@ class Recalibrations {
   /// The looks live longer than this.
   explicit Recalibrations(const Looks& looks);
 
+  struct Hidden {
+    std::vector<Guess> by_spreads;  ///< each beside the parameter that goes best with it, if outliers count in full
+    std::vector<Guess> by_means;    ///< the same where outliers count little
+    std::vector<Guess> by_another;  ///< each beside the second best: few data hardly tell by which it is hidden
+  };
+
   /// The effects that are nearest beside another value of any parameter, by the few data.
-  [[nodiscard]] std::vector<Guess> hidden() const;
+  [[nodiscard]] Hidden hidden() const;
   /// The same beside one parameter (a single), by all data that are fitted, of which it leaves so much alone: where few
   /// data cannot tell how much of an effect it makes up for, more of them can. Their distance is the one from these
   /// data.
@@ -38,6 +44,11 @@ class Recalibrations {
   using Nearest = std::map<std::size_t, Guess>;
   /// How far shifts are from none.
   using Farness = double (*)(const Eigen::VectorXf&);
+  /// How places are compared, and whether between them, too: what scatters, of which squares see most, follows no line.
+  struct Look {
+    Farness farness;
+    bool between;
+  };
 
   [[nodiscard]] const Hypothesis& hypothesisOf(const Looks::Atom& atom) const;
   void findSpans();
@@ -45,7 +56,7 @@ class Recalibrations {
   [[nodiscard]] Nearest nearestBeside(std::size_t parameter, const Step& step, Farness farness) const;
   void lookBetween(std::size_t parameter, const Step& step, Farness farness, Nearest& nearest) const;
   [[nodiscard]] std::vector<Guess> hiddenBy(std::size_t parameter, const std::vector<Step>& steps,
-                                            Farness farness) const;
+                                            const Look& look) const;
   [[nodiscard]] std::vector<std::vector<Guess>> placesBeside(std::size_t parameter) const;
   [[nodiscard]] std::optional<Guess> nearestByAll(const std::vector<Guess>& along, double least) const;
 

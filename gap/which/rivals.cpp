@@ -98,6 +98,46 @@ std::vector<Rival> rivalsAmong(const Judge& quick, const Judge& exact, const Can
   return rivals;
 }
 
+/// Whether a cause may stand in another one's place.
+using MayStand = bool (*)(const Hypothesis& own, const Hypothesis& another);
+
+bool wouldBeNamed(const Hypothesis& own, const Hypothesis& another) {
+  return own.kind == CauseKind::kEffect && another.kind != CauseKind::kParameter;
+}
+
+bool isRecalibration(const Hypothesis& own, const Hypothesis& another) {
+  return own.kind == CauseKind::kEffect && another.kind == CauseKind::kParameter;
+}
+
+/// The cause that one pair has in place of one of another pair, which are otherwise the same, if it may stand there.
+std::optional<Rival> exchangedIf(MayStand mayStand, const Candidate& other, const Candidate& best) {
+  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
+  for (const std::size_t kept : {0U, 1U}) {
+    for (const std::size_t same : {0U, 1U}) {
+      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
+      if (mayStand(own, another) && ours[kept].name == theirs[same].name && own.name != another.name)
+        return Rival{another.name, 0.0, own.name};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of the pairs that come near to the best one those causes that may stand in place of one of its.
+std::vector<Rival> rivalsIf(MayStand mayStand, const Judge& quick, const Judge& exact,
+                            const std::vector<Candidate>& pairs, double added) {
+  const Candidate& best = pairs.front();
+  std::vector<Rival> rivals;
+  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kMayLead; ++i) {
+    std::optional<Rival> rival = exchangedIf(mayStand, pairs[i], best);
+    if (!rival) continue;
+    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
+    if (known) continue;
+    rival->separation = toldApart(quick, exact, best, pairs[i], kTie * added);
+    rivals.push_back(std::move(*rival));
+  }
+  return rivals;
+}
+
 }  // namespace
 
 bool Rival::tied() const noexcept { return separation < kApart; }
@@ -115,16 +155,7 @@ std::vector<Rival> rivalsOfAll(const Judge& quick, const Judge& exact, const std
 }
 
 std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best) {
-  const auto &ours = best.hypothesis.members, &theirs = other.hypothesis.members;
-  for (const std::size_t kept : {0U, 1U}) {
-    for (const std::size_t same : {0U, 1U}) {
-      const Hypothesis &own = ours[1 - kept], &another = theirs[1 - same];
-      const bool named = own.kind == CauseKind::kEffect && another.kind != CauseKind::kParameter;
-      if (named && ours[kept].name == theirs[same].name && own.name != another.name)
-        return Rival{another.name, 0.0, own.name};
-    }
-  }
-  return std::nullopt;
+  return exchangedIf(wouldBeNamed, other, best);
 }
 
 double addedBySecond(const Candidate& single, const std::vector<Candidate>& pairs) {
@@ -135,17 +166,17 @@ double addedBySecond(const Candidate& single, const std::vector<Candidate>& pair
 
 std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
                                  double added) {
-  const Candidate& best = pairs.front();
-  std::vector<Rival> rivals;
-  for (std::size_t i = 1; i < pairs.size() && i <= kPairsLookedAt && pairs[i].merit >= best.merit - kMayLead; ++i) {
-    std::optional<Rival> rival = exchangedIn(pairs[i], best);
-    if (!rival) continue;
-    const bool known = std::any_of(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.name == rival->name; });
-    if (known) continue;
-    rival->separation = toldApart(quick, exact, best, pairs[i], kTie * added);
-    rivals.push_back(std::move(*rival));
-  }
-  return rivals;
+  return rivalsIf(wouldBeNamed, quick, exact, pairs, added);
+}
+
+std::vector<Rival> recalibrationsInPairs(const Judge& quick, const Judge& exact, const std::vector<Candidate>& pairs,
+                                         double added) {
+  const auto& members = pairs.front().hypothesis.members;
+  const auto isEffect = [](const Hypothesis& member) { return member.kind == CauseKind::kEffect; };
+  if (!std::all_of(members.begin(), members.end(), isEffect)) return {};
+  std::vector<Rival> tied = rivalsIf(isRecalibration, quick, exact, pairs, added);
+  std::erase_if(tied, [](const Rival& rival) { return !rival.tied(); });
+  return tied;
 }
 
 void leadByAll(const Judge& quick, const Judge& exact, std::vector<Candidate>& candidates, double added) {

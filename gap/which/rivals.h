@@ -28,7 +28,7 @@ struct Rival {
                                              const std::vector<Candidate>& candidates);
 
 /// The cause that one pair has in place of an effect of another pair, which are otherwise the same; its separation is
-/// left open. None where that is a parameter: it would not be named (leadByPlainest).
+/// left open. None where that is a parameter: it would not be named (leadByPlainest, recalibrationsInPairs).
 [[nodiscard]] std::optional<Rival> exchangedIn(const Candidate& other, const Candidate& best);
 
 /// Of what the nearest of the leading pairs explains, the share that the best single cause does not. What a pair
@@ -38,6 +38,11 @@ struct Rival {
 /// Causes that may stand in the place of one of the best pair's; `added`: addedBySecond.
 [[nodiscard]] std::vector<Rival> rivalsInPairs(const Judge& quick, const Judge& exact,
                                                const std::vector<Candidate>& pairs, double added);
+
+/// Parameters whose other value does, beside one of two effects, what the other effect does: the data cannot tell
+/// whether that effect is missing or that number is wrong. None if the best pair is not of two effects.
+[[nodiscard]] std::vector<Rival> recalibrationsInPairs(const Judge& quick, const Judge& exact,
+                                                       const std::vector<Candidate>& pairs, double added);
 
 /// Held-out samples are few. Of causes that come near to the best one, each takes its place that is nearer by all
 /// samples, by more than what it takes more to say it. `added`, of pairs: addedBySecond.

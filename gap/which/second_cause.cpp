@@ -6,6 +6,7 @@
 #include "gap/far/how_far.h"
 #include "gap/which/separation.h"
 #include "gap/which/significance.h"
+#include "gap/which/whole_gap.h"
 
 namespace gap {
 
@@ -33,13 +34,13 @@ struct LeftOver {
 LeftOver leftBy(const Candidate& candidate) { return {std::max(0.0, 1.0 - candidate.explained), candidate.total_left}; }
 
 /// A second cause must halve what the best single one leaves, cell by cell or of the whole gap, or leave still less of
-/// the total gap; and what helps the cells must not harm the total gap.
+/// the total gap; and what helps the cells must not harm the total gap, unless it leaves next to nothing of them.
 bool earnsByShare(const Judge& judge, const Candidate& single, const Candidate& pair) {
   const LeftOver of_single = leftBy(single), of_pair = leftBy(pair);
   const auto halves = [](double before, double after) {
     return after < kPairGain * before && before - after > kLeastGain;
   };
-  const bool no_larger = of_pair.total < of_single.total + kMaterialRest;
+  const bool no_larger = of_pair.total < of_single.total + kMaterialRest || pair.explained >= kNearlyAllCells;
   const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
   const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
   const bool smaller = of_pair.total < kTotalGain * of_single.total;

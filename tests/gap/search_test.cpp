@@ -310,6 +310,23 @@ TEST_F(Search, FollowsTheNarrowValleyOfNumbersOfLikeEffect) {
   EXPECT_EQ(gap::refine(*replay_, *film, split_.refined, start, core::SilentProgress()), found);
 }
 
+// Dirt on nearly all of the window, and more power that makes up for it, nearly: the two follow their valley, and the
+// ends of the sector, of which small steps jump, stay where they are.
+TEST_F(Search, FollowsAValleyBesideTheEndsOfASector) {
+  measure({{"cover-contamination", {{"attenuation", 0.2}, {"azimuth_from_deg", -11.5}, {"azimuth_to_deg", 11.5}}}});
+  const gap::Hypothesis pair =
+      gap::together(effect("cover-contamination"),
+                    test_support::hypothesisNamed(gap::hypothesesFor(*replay_, {}), "/sensor/emitter/peak_power_w"));
+  const std::vector<double> start{0.25, -11.5, 11.5, 57.0};
+  const auto near = gap::refineBriefly(*replay_, pair, split_.refined, start, core::SilentProgress());
+  const auto found = gap::refineAlongValley(*replay_, pair, split_.refined, start, core::SilentProgress());
+  EXPECT_GT(near[3], 55.0);  // hardly on its way
+  EXPECT_NEAR(found[0], 0.2, 0.004);
+  EXPECT_NEAR(found[3], 50.0, 0.5);
+  EXPECT_EQ(found[1], -11.5);
+  EXPECT_EQ(found[2], 11.5);
+}
+
 // A lobe is absent where all of the reflection is diffuse, at the upper end of that share.
 TEST_F(Search, FindsACauseThatIsAbsentAtTheUpperEndOfItsRange) {
   measure({{"angular-reflection", {{"model", "phong"}, {"diffuse_fraction", 0.97}, {"exponent", 20}}}});

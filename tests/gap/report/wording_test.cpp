@@ -86,6 +86,18 @@ TEST(AsRun, IsSaidWhereItsOwnGridShrinksOtherwiseOrMakesMuchOfTheGap) {
   EXPECT_EQ(asRunOf(80.0, std::nullopt), "");
 }
 
+TEST(Recalibrations, AreSaidOfTheEffectInWhosePlaceTheyMayStand) {
+  const std::vector<Rival> numbers = {{"/materials/board/reflectivity", 0.5, "blooming"},
+                                      {"/sensor/emitter/peak_power_w", 0.0, "blooming"}};
+  EXPECT_EQ(recalibrationSentences(numbers, {"aperture-offset", "blooming"}),
+            std::vector<std::string>{
+                "Beside aperture-offset, another value of /materials/board/reflectivity or of "
+                "/sensor/emitter/peak_power_w does as well as blooming: these data cannot tell whether that effect is "
+                "missing or that number is wrong. Check the number before you add the effect."});
+  EXPECT_TRUE(recalibrationSentences({}, {"aperture-offset", "blooming"}).empty());
+  EXPECT_TRUE(recalibrationSentences(numbers, {}).empty()) << "no cause is named in the end";
+}
+
 /// Of a cloud, named or only weighed, that came out as large as clouds are searched.
 std::string atEndOf(const std::vector<std::string>& named) {
   Diagnosis diagnosis;

@@ -20,9 +20,10 @@ struct Fitted {
 
 /// The pairs after members were exchanged, of a measurement with these effects. The pair that begins is that of the
 /// first two causes.
-std::vector<gap::Candidate> exchanged(const SmallWorld::Effects& truth, const std::vector<Fitted>& causes) {
+std::vector<gap::Candidate> exchanged(const SmallWorld::Effects& truth, const std::vector<Fitted>& causes,
+                                      double true_reflectivity = 0.4) {
   const SmallWorld world;
-  const model::Experiment experiment = world.measuredBy(SmallWorld::modelWith(truth), 0.4);
+  const model::Experiment experiment = world.measuredBy(SmallWorld::modelWith(truth), true_reflectivity);
   const gap::Replay replay(experiment, SmallWorld::modelWith({}));
   const gap::Split split = gap::splitOf(replay, 1);
   const gap::Judge judge{replay, split, gap::yardstickOf(replay, split.held_out)};
@@ -71,6 +72,28 @@ TEST(Exchanges, ACauseInASectorIsTriedInThatOfTheMemberInWhosePlaceItComes) {
   EXPECT_NEAR(exchanged->values[2], 5.5, 0.6);  // beams are a degree apart
   EXPECT_NEAR(exchanged->values[3], 8.5, 0.6);
   EXPECT_NEAR(exchanged->explained, 1.0, 0.1);
+}
+
+// A wall that is 0.9 times as bright returns what a laser of 0.9 times the power does. Fitted alone, the wall had to
+// take what haze takes, too, and so it comes nowhere near beside the haze.
+TEST(Exchanges, AParameterThatDoesWhatTheMemberDoesIsTriedWhereItDoesSo) {
+  const auto pairs = exchanged({{"atmospheric-attenuation", {{"visibility_m", 200}}}},
+                               {{"atmospheric-attenuation", {200.0}, ""},
+                                {"/sensor/emitter/peak_power_w", {45.0}, ""},
+                                {"range-offset", {0.0}, ""},
+                                {"clock-drift", {0.0}, ""},
+                                {"detection-loss", {0.0}, ""},
+                                {"false-alarm", {0.0}, ""},
+                                {"pulse-jitter", {0.0, 0.0}, ""},
+                                {"cover-contamination", {0.0, -9.0, -6.0}, ""},
+                                {"/materials/plaster/reflectivity", {0.2}, ""}},
+                               0.36);
+  const auto exchanged = std::find_if(pairs.begin(), pairs.end(), [](const gap::Candidate& pair) {
+    return pair.hypothesis.name == "atmospheric-attenuation + /materials/plaster/reflectivity";
+  });
+  ASSERT_NE(exchanged, pairs.end());
+  EXPECT_NEAR(exchanged->values[0], 200.0, 5.0);
+  EXPECT_NEAR(exchanged->values[1], 0.36, 0.005);
 }
 
 // A threshold that is 12 times the noise is another constant threshold; one that falls with range (by nothing) comes as

@@ -18,11 +18,17 @@ TEST(Recalibration, HidesACauseThatSumsOfShiftsShow) {
                               "atmospheric-attenuation",
                               {{"/sensor/receiver/threshold_w", 1.2e-7}, {"/sensor/receiver/noise_w", 4e-8}}, 0.405);
   const gap::Looks looks = causes.looks();
-  std::vector<std::string> beside_haze;
-  for (const gap::Guess& guess : gap::Recalibrations(looks).hidden())
-    if (causes.nameOf(guess.first) == "atmospheric-attenuation") beside_haze.push_back(causes.nameOf(guess.second));
-  EXPECT_THAT(beside_haze,
-              testing::Contains(testing::AnyOf("/sensor/emitter/peak_power_w", "/materials/plaster/reflectivity")));
+  const auto besideHaze = [&](const std::vector<gap::Guess>& guesses) {
+    std::vector<std::string> names;
+    for (const gap::Guess& guess : guesses)
+      if (causes.nameOf(guess.first) == "atmospheric-attenuation") names.push_back(causes.nameOf(guess.second));
+    return names;
+  };
+  const gap::Recalibrations::Hidden hidden = gap::Recalibrations(looks).hidden();
+  // Where all is of one material both hide it alike, and few data may say which comes first.
+  const auto either = testing::AnyOf("/sensor/emitter/peak_power_w", "/materials/plaster/reflectivity");
+  EXPECT_THAT(besideHaze(hidden.by_means), testing::Contains(either));
+  EXPECT_THAT(besideHaze(hidden.by_another), testing::ElementsAre(either));
 }
 
 // Few data hardly tell a little haze behind a little power from much of both; all that are fitted do. Between the

@@ -76,6 +76,18 @@ TEST_F(Rivals, OfTwoEffectsLeadBeforeAnEffectWithARecalibration) {
   EXPECT_EQ(leaderOf({weaker_emitter_, haze_}), "atmospheric-attenuation");
 }
 
+// Haze at one range takes what a weaker emitter has not; one that is too weak does not do what the haze does.
+TEST_F(Rivals, OfTwoEffectsMayBeAWrongNumber) {
+  const auto recalibrations = gap::recalibrationsInPairs(judge_, judge_, {haze_, weaker_emitter_, glossy_wall_}, 1.0);
+  ASSERT_EQ(recalibrations.size(), 1U);
+  EXPECT_EQ(recalibrations[0].name, "/sensor/emitter/peak_power_w");
+  EXPECT_EQ(recalibrations[0].instead_of, "atmospheric-attenuation");
+  const gap::Candidate too_weak = pairAt("/sensor/emitter/peak_power_w", "", 40.0, 0.99);
+  EXPECT_TRUE(gap::recalibrationsInPairs(judge_, judge_, {haze_, too_weak}, 1.0).empty());
+  EXPECT_TRUE(gap::recalibrationsInPairs(judge_, judge_, {weaker_emitter_, haze_}, 1.0).empty())
+      << "the number is named already";
+}
+
 // A threshold a little beside what is recorded, and one that is a multiple of the noise, are one threshold.
 TEST_F(Rivals, OfTwoEffectsLeadHoweverLittleARecalibrationMoves) {
   const double recorded_w = replay_.baseline().model.sensor("").receiver.threshold_w;

@@ -41,6 +41,15 @@ TEST(SecondCause, NeedsNoLeastGainWhereItTakesNearlyAllThatAGiantLeaves) {
   // What changes nothing where all data are pooled may be how two programs differ.
   pair.total_left = single.total_left;
   EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair));
+  // A cause that is wrong in every cell may make up for how two programs differ where all data are pooled. Two that
+  // leave next to nothing of the cells need not do that as well.
+  single.explained = 0.5;
+  single.total_left = 0.0;
+  pair.total_left = 0.26;
+  pair.explained = 0.96;
+  EXPECT_TRUE(gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair));
+  pair.explained = 0.94;
+  EXPECT_FALSE(gap::earnsItsSecond(judge, judge, single, gap::restOf(judge, single), pair));
 }
 
 /// An offset of 30 mm is all that is missing.
