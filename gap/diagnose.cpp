@@ -258,7 +258,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   diagnosis.notes = notesOn(replay, strayIn(decision));
   if (const std::string note = asRunSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
   if (const std::string note = atEndSentence(diagnosis); !note.empty()) diagnosis.notes.push_back(note);
-  for (const std::string& note : recalibrationSentences(decision.recalibrations, decision.names()))
+  for (const std::string& note : recalibrationSentences(diagnosis, decision.recalibrations))
     diagnosis.notes.push_back(note);
   if (frames) diagnosis.notes.insert(diagnosis.notes.begin(), frameModeSentence(*frames));
   if (uneven_loss) diagnosis.notes.insert(diagnosis.notes.begin(), unevenLossSentence(*uneven_loss));

@@ -440,19 +440,19 @@ std::string atEndSentence(const Diagnosis& diagnosis) {
       core::join(numbers));
 }
 
-std::vector<std::string> recalibrationSentences(const std::vector<Rival>& numbers,
-                                                const std::vector<std::string>& named) {
+std::vector<std::string> recalibrationSentences(const Diagnosis& diagnosis, const std::vector<Rival>& numbers) {
+  const std::vector<std::string>& named = diagnosis.verdict.names;
   std::vector<std::string> sentences;
   if (named.size() != 2) return sentences;
   for (const std::size_t effect : {0U, 1U}) {
     std::vector<std::string> instead;
     for (const Rival& number : numbers)
-      if (number.instead_of == named[effect]) instead.push_back(number.name);
+      if (number.instead_of == named[effect]) instead.push_back(causeTitle(diagnosis, number.name));
     if (instead.empty()) continue;
     sentences.push_back(fmt::format(
-        "Beside {}, another value of {} does as well as {}: these data cannot tell whether that effect is missing or "
-        "that number is wrong. Check the number before you add the effect.",
-        named[1 - effect], fmt::join(instead, " or of "), named[effect]));
+        "Instead of {} a number may be wrong: beside {}, another {} does as well, and these data cannot tell which it "
+        "is. Check the number before you add the effect.",
+        causeTitle(diagnosis, named[effect]), causeTitle(diagnosis, named[1 - effect]), fmt::join(instead, " or ")));
   }
   return sentences;
 }

@@ -40,8 +40,8 @@ struct PartedRows {
 /// Which numbers of what is named came out at the end of what was searched; empty if none did.
 [[nodiscard]] std::string atEndSentence(const Diagnosis& diagnosis);
 /// Which numbers may be wrong in place of which of the two effects that are named, a sentence for each effect.
-[[nodiscard]] std::vector<std::string> recalibrationSentences(const std::vector<Rival>& numbers,
-                                                              const std::vector<std::string>& named);
+[[nodiscard]] std::vector<std::string> recalibrationSentences(const Diagnosis& diagnosis,
+                                                              const std::vector<Rival>& numbers);
 /// What contradicts every cause that was tried, in words.
 struct ContradictionWords {
   const char* in;        ///< where measurement and simulation differ

@@ -89,13 +89,16 @@ TEST(AsRun, IsSaidWhereItsOwnGridShrinksOtherwiseOrMakesMuchOfTheGap) {
 TEST(Recalibrations, AreSaidOfTheEffectInWhosePlaceTheyMayStand) {
   const std::vector<Rival> numbers = {{"/materials/board/reflectivity", 0.5, "blooming"},
                                       {"/sensor/emitter/peak_power_w", 0.0, "blooming"}};
-  EXPECT_EQ(recalibrationSentences(numbers, {"aperture-offset", "blooming"}),
-            std::vector<std::string>{
-                "Beside aperture-offset, another value of /materials/board/reflectivity or of "
-                "/sensor/emitter/peak_power_w does as well as blooming: these data cannot tell whether that effect is "
-                "missing or that number is wrong. Check the number before you add the effect."});
-  EXPECT_TRUE(recalibrationSentences({}, {"aperture-offset", "blooming"}).empty());
-  EXPECT_TRUE(recalibrationSentences(numbers, {}).empty()) << "no cause is named in the end";
+  Diagnosis diagnosis;
+  EXPECT_TRUE(recalibrationSentences(diagnosis, numbers).empty()) << "no cause is named in the end";
+  diagnosis.verdict.names = {"aperture-offset", "blooming"};
+  EXPECT_EQ(
+      recalibrationSentences(diagnosis, numbers),
+      std::vector<std::string>{
+          "Instead of blooming a number may be wrong: beside offset of the receiver's axis, another reflectivity "
+          "of the material “board” or peak power of the emitter does as well, and these data cannot tell which it is. "
+          "Check the number before you add the effect."});
+  EXPECT_TRUE(recalibrationSentences(diagnosis, {}).empty());
 }
 
 /// Of a cloud, named or only weighed, that came out as large as clouds are searched.
