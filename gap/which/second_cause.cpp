@@ -40,9 +40,9 @@ bool earnsByShare(const Judge& judge, const Candidate& single, const Candidate& 
   const auto halves = [](double before, double after) {
     return after < kPairGain * before && before - after > kLeastGain;
   };
-  const bool no_larger = of_pair.total < of_single.total + kMaterialRest || pair.explained >= kNearlyAllCells;
-  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && no_larger;
-  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && no_larger;
+  const bool harms_nothing = of_pair.total < of_single.total + kMaterialRest || pair.explained >= kNearlyAllCells;
+  const bool closer = halves(of_single.discrepancy, of_pair.discrepancy) && harms_nothing;
+  const bool accounts = halves(1.0 - judge.accountedFor(single), 1.0 - judge.accountedFor(pair)) && harms_nothing;
   const bool smaller = of_pair.total < kTotalGain * of_single.total;
   return of_pair.discrepancy < of_single.discrepancy && (closer || accounts || smaller);
 }
