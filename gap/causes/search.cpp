@@ -241,6 +241,12 @@ Point withOtherCounts(const Objective& objective, Point best, const Reach& reach
   return best;
 }
 
+std::vector<Held> heldAt(const std::vector<std::size_t>& numbers, const std::vector<double>& unit) {
+  std::vector<Held> held;
+  for (const std::size_t i : numbers) held.push_back({i, unit[i]});
+  return held;
+}
+
 /// The numbers that stay where they are when a valley is followed.
 std::vector<Held> heldInValley(const Objective& objective, const std::vector<double>& start) {
   std::vector<std::size_t> numbers = objective.thatJump();
@@ -248,17 +254,14 @@ std::vector<Held> heldInValley(const Objective& objective, const std::vector<dou
   numbers.insert(numbers.end(), tracing.begin(), tracing.end());
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  std::vector<Held> held;
-  for (const std::size_t i : numbers) held.push_back({i, start[i]});
-  return held;
+  return heldAt(numbers, start);
 }
 
 /// The numbers that stay where they are because every look would trace anew.
 std::vector<Held> heldBy(const Objective& objective, const std::vector<double>& start, const Reach& reach) {
-  std::vector<Held> held;
-  if (!reach.holds_rays) return held;
-  for (const std::size_t i : objective.thatTraceAnew(start)) held.push_back({i, start[i]});
-  return held.size() < start.size() ? held : std::vector<Held>();
+  if (!reach.holds_rays) return {};
+  const std::vector<std::size_t> tracing = objective.thatTraceAnew(start);
+  return tracing.size() < start.size() ? heldAt(tracing, start) : std::vector<Held>();
 }
 
 }  // namespace
@@ -296,13 +299,14 @@ std::vector<std::size_t> Objective::counts() const {
 std::vector<std::size_t> Objective::thatJump() const {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < hypothesis_.parameters.size(); ++i)
-    if (hypothesis_.parameters[i].azimuth || hypothesis_.parameters[i].whole || edges_.isEdge(i)) numbers.push_back(i);
+    if (jumps(hypothesis_.parameters[i]) || edges_.isEdge(i)) numbers.push_back(i);
   return numbers;
 }
 
+bool jumps(const FreeParameter& number) { return number.azimuth || number.whole; }
+
 bool smooth(const Hypothesis& hypothesis) {
-  return std::none_of(hypothesis.parameters.begin(), hypothesis.parameters.end(),
-                      [](const FreeParameter& p) { return p.azimuth || p.whole; });
+  return std::none_of(hypothesis.parameters.begin(), hypothesis.parameters.end(), jumps);
 }
 
 std::vector<std::size_t> Objective::thatTraceAnew(const std::vector<double>& unit) const {

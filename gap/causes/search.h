@@ -10,7 +10,9 @@
 
 namespace gap {
 
-/// Whether small steps of its numbers change little: the ends of sectors and counts jump.
+/// Whether small steps of a number jump: the ends of sectors and counts do.
+[[nodiscard]] bool jumps(const FreeParameter& number);
+/// Whether small steps of its numbers change little.
 [[nodiscard]] bool smooth(const Hypothesis& hypothesis);
 
 /// What a search makes small: the discrepancy of a hypothesis on some evidence, over the unit cube of its free numbers.

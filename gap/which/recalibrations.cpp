@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -45,15 +44,16 @@ void keepNearer(Guess guess, std::map<std::size_t, Guess>& nearest) {
   if (!added && guess.distance < known->second.distance) known->second = std::move(guess);
 }
 
-/// With every first cause the nearest guess; the others are put into `rest`.
-std::vector<Guess> nearestOfEachFirst(std::vector<Guess> guesses, std::vector<Guess>* rest = nullptr) {
+/// Guesses, nearest first: with every first cause the nearest one, and all others.
+struct Parted {
+  std::vector<Guess> nearest, others;
+};
+Parted partedByFirst(std::vector<Guess> guesses) {
   std::set<std::size_t> taken;
-  guesses = nearestOf(std::move(guesses), guesses.size());
-  const auto others = std::stable_partition(guesses.begin(), guesses.end(),
-                                            [&](const Guess& guess) { return taken.insert(guess.first).second; });
-  if (rest) rest->assign(std::make_move_iterator(others), std::make_move_iterator(guesses.end()));
-  guesses.erase(others, guesses.end());
-  return guesses;
+  Parted parted;
+  for (Guess& guess : nearestOf(std::move(guesses), guesses.size()))
+    (taken.insert(guess.first).second ? parted.nearest : parted.others).push_back(std::move(guess));
+  return parted;
 }
 
 }  // namespace
@@ -75,14 +75,13 @@ Recalibrations::Hidden Recalibrations::hidden() const {
     robust[p] = hiddenBy(parameters[p], steps, {robustDistance, true});
   });
   // Spreads are few entries, which say most of what scatters; means of cells are many.
-  std::vector<Guess> by_spreads, by_means, by_another;
+  std::vector<Guess> by_spreads, by_means;
   for (auto& some : squared) append(by_spreads, std::move(some));
-  by_spreads = looks_.lookedAt(nearestOf(nearestOfEachFirst(std::move(by_spreads)), kHiddenFitted));
+  by_spreads = looks_.lookedAt(nearestOf(partedByFirst(std::move(by_spreads)).nearest, kHiddenFitted));
   for (auto& some : robust) append(by_means, std::move(some));
-  by_means = nearestOfEachFirst(looks_.lookedAt(std::move(by_means)), &by_another);
-  by_another = nearestOfEachFirst(std::move(by_another));
-  return {std::move(by_spreads), nearestOf(std::move(by_means), kHiddenInMeans),
-          nearestOf(std::move(by_another), kHiddenInMeans)};
+  Parted means = partedByFirst(looks_.lookedAt(std::move(by_means)));
+  return {std::move(by_spreads), nearestOf(std::move(means.nearest), kHiddenInMeans),
+          nearestOf(partedByFirst(std::move(means.others)).nearest, kHiddenInMeans)};
 }
 
 void Recalibrations::findSpans() {

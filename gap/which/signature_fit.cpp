@@ -8,6 +8,7 @@
 
 #include "gap/causes/fit.h"
 #include "gap/causes/scale.h"
+#include "gap/causes/search.h"
 
 namespace gap {
 
@@ -71,7 +72,7 @@ struct Shifts {
 std::vector<std::size_t> gradualIn(const Hypothesis& hypothesis) {
   std::vector<std::size_t> gradual;
   for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i)
-    if (const FreeParameter& p = hypothesis.parameters[i]; !p.whole && !p.azimuth) gradual.push_back(i);
+    if (!jumps(hypothesis.parameters[i])) gradual.push_back(i);
   return gradual;
 }
 
