@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gap/candidates/candidates.h"
 #include "gap/diagnosis.h"
-#include "gap/which/candidates.h"
 #include "gap/which/decision.h"
 
 namespace gap {

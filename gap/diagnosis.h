@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "gap/candidates/tried.h"
 #include "gap/causes/hypotheses.h"
 #include "gap/distance/total_gap.h"
 #include "gap/far/how_far.h"
 #include "gap/far/proxy.h"
 #include "gap/twice_judged_test.h"
+#include "gap/unexplained/rest.h"
 #include "gap/where/pictures.h"
 #include "gap/where/where.h"
 #include "gap/which/ablation.h"
 #include "gap/which/confusion.h"
 #include "gap/which/decision.h"
-#include "gap/which/rest.h"
-#include "gap/which/tried.h"
 
 namespace gap {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "gap/distance/discrepancy.h"
+#include "gap/pairs/partners.h"
 #include "gap/report/wording.h"
 #include "gap/which/confusion.h"
-#include "gap/which/partners.h"
 #include "gap/which/rivals.h"
 
 namespace gap {

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "gap/candidates/enough.h"
+#include "gap/candidates/whole_gap.h"
 #include "gap/causes/scale.h"
 #include "gap/which/belief.h"
-#include "gap/which/whole_gap.h"
 
 namespace gap {
 

@@ -7,6 +7,7 @@
 #include "gap/report/quantities.h"
 #include "gap/report/rest_wording.h"
 #include "gap/report/sections.h"
+#include "gap/report/titles.h"
 #include "gap/report/wording.h"
 
 namespace gap {

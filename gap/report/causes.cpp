@@ -2,8 +2,9 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "gap/report/quantities.h"
 #include "gap/report/sections.h"
-#include "gap/report/wording.h"
+#include "gap/report/titles.h"
 #include "report/bar_figure.h"
 
 namespace gap {

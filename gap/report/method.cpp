@@ -4,8 +4,9 @@
 
 #include "core/text.h"
 #include "core/version.h"
+#include "gap/report/quantities.h"
 #include "gap/report/sections.h"
-#include "gap/report/wording.h"
+#include "gap/report/titles.h"
 
 namespace gap {
 

@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "gap/report/rest_wording.h"
 #include "gap/report/sections.h"
-#include "gap/report/wording.h"
+#include "gap/report/titles.h"
 
 namespace gap {
 

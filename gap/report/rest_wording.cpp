@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 #include "gap/report/quantities.h"
-#include "gap/report/wording.h"
+#include "gap/report/titles.h"
 
 namespace gap {
 

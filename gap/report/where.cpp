@@ -4,6 +4,7 @@
 #include <set>
 
 #include "gap/report/sections.h"
+#include "gap/report/titles.h"
 #include "gap/report/wording.h"
 #include "report/panel_figure.h"
 

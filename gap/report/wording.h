@@ -6,9 +6,9 @@
 
 #include "gap/diagnosis.h"
 #include "gap/report/quantities.h"
-#include "gap/which/frame_mode.h"
+#include "gap/unexplained/frame_mode.h"
+#include "gap/unexplained/uneven_loss.h"
 #include "gap/which/rivals.h"
-#include "gap/which/uneven_loss.h"
 
 namespace gap {
 
@@ -54,23 +54,6 @@ struct ContradictionWords {
 [[nodiscard]] std::string frameModeSentence(const FrameMode& mode);
 [[nodiscard]] std::string unevenLossSentence(const UnevenLoss& loss);
 [[nodiscard]] std::string nextExperimentSentence(const NextExperiment& next);
-
-/// "echo pulse width" for "epw".
-[[nodiscard]] std::string measurandTitle(const std::string& measurand);
-/// "mean of the echo pulse width", "missing echoes".
-[[nodiscard]] std::string componentTitle(const std::string& measurand, const std::string& component);
-
-/// What a cause is called: "attenuation by the atmosphere", "reflectivity of the material board", "recorded position of
-/// target, x (forward)".
-[[nodiscard]] std::string causeTitle(const Diagnosis& diagnosis, const std::string& name);
-/// Several of them, each with the sensors on which it holds if those are not all: "A and B".
-[[nodiscard]] std::string titlesOf(const Diagnosis& diagnosis, const std::vector<std::string>& names);
-/// What it is, in a sentence for a reader who never heard of it; empty for what is no effect of the library.
-[[nodiscard]] std::string causeSummary(const std::string& name);
-/// What a fitted number means: "meteorological visibility".
-[[nodiscard]] std::string parameterTitle(const Cause& cause, const FittedParameter& parameter);
-/// Its unit as readers know it: "°" for "deg".
-[[nodiscard]] std::string unitOf(const FittedParameter& parameter);
 
 /// Whether a verdict is that it is its cause or one other, which cannot be told apart: its confidence is that in both
 /// together (verdict.h).

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gap/which/partners.h"
+#include "gap/candidates/polish.h"
+#include "gap/candidates/whole_gap.h"
+#include "gap/pairs/partners.h"
+#include "gap/pairs/second_cause.h"
+#include "gap/pairs/second_search.h"
 #include "gap/which/rivals.h"
-#include "gap/which/second_cause.h"
-#include "gap/which/second_search.h"
-#include "gap/which/whole_gap.h"
 
 namespace gap {
 

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "gap/which/candidates.h"
+#include "gap/candidates/candidates.h"
+#include "gap/far/how_far.h"
+#include "gap/where/where.h"
 
 namespace gap {
 

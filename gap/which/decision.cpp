@@ -6,22 +6,23 @@
 #include <map>
 
 #include "core/progress.h"
-#include "gap/which/closer_look.h"
+#include "gap/candidates/closer_look.h"
+#include "gap/candidates/cross_fit.h"
+#include "gap/candidates/enough.h"
+#include "gap/candidates/polish.h"
+#include "gap/candidates/ranking.h"
+#include "gap/candidates/significance.h"
+#include "gap/candidates/suggested.h"
+#include "gap/candidates/whole_gap.h"
+#include "gap/pairs/same_sector.h"
 #include "gap/which/counter.h"
-#include "gap/which/cross_fit.h"
 #include "gap/which/naming_pairs.h"
-#include "gap/which/same_sector.h"
-#include "gap/which/significance.h"
 #include "gap/which/twins.h"
-#include "gap/which/whole_gap.h"
 
 namespace gap {
 
 namespace {
 
-constexpr double kAccountsFor = 0.7;   // of the gap: what accounts for less is as likely wrong as right
-constexpr double kWeakGap = 0.40;      // the least share, where the gap is hardly larger than the noise
-constexpr double kOfTheCells = 0.92;   // explained by a pair, beside noise: right ones explain 0.95 and more
 constexpr double kLeastShrink = 0.05;  // of the total gap: less may be luck, or how edges cut beams
 constexpr std::size_t kLookedAt = 8;   // of best merit, and as many that gain most: they may prove themselves
 constexpr double kWorthALook = 1.0;    // standard deviations of the gain with few beams: with all it takes four of them
@@ -82,7 +83,7 @@ class Proofs {
     const Hypothesis& hypothesis = candidate.hypothesis;
     const World world = worldOf(exact_.replay, hypothesis, candidate.values);
     const NullRuns::Gains gains = nulls_.gainsOf(world);
-    const Significance held_out = significanceOf(gains, restOf(exact_, world, nulls_.runs()));
+    const Significance held_out = significanceOf(gains, deviationsLeft(exact_, world, nulls_.runs()));
     if (held_out.improvement_z <= kWorthCrossing || !CrossFit::applies(exact_, hypothesis)) return held_out;
     if (!others_) others_.emplace(quick_, exact_, nulls_.runs());
     return significanceOf(joined(gains, others_->gainsOf(hypothesis, progress)), held_out.rest_z);
@@ -165,12 +166,6 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
 }
 
 }  // namespace
-
-double enoughToName(const Yardstick& yardstick) {
-  return std::max(kWeakGap, kAccountsFor - 2.0 * yardstick.noiseOfShare());
-}
-
-double enoughForTwo(const Yardstick& yardstick) { return kOfTheCells - 2.0 * yardstick.noiseOfShare(); }
 
 std::string toString(VerdictKind kind) {
   switch (kind) {

@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "gap/candidates/candidates.h"
 #include "gap/far/how_far.h"
-#include "gap/which/candidates.h"
+#include "gap/where/where.h"
 #include "gap/which/rivals.h"
 
 namespace gap {
@@ -54,12 +55,6 @@ struct Decision {
 [[nodiscard]] Decision decide(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear,
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
-
-/// The share of the gap that a cause must account for to be named.
-[[nodiscard]] double enoughToName(const Yardstick& yardstick);
-/// The share of the cells' discrepancy that two causes must explain together: whatever is missing, some two of sixty
-/// explain a part of it.
-[[nodiscard]] double enoughForTwo(const Yardstick& yardstick);
 
 /// Whether a cause leaves so much of the gap that follows a law (`left`, Rest::belowCeiling) that it is not the cause;
 /// not so if next to nothing is left by another measure, of the discrepancy or of the total gap, or if the values show

@@ -8,16 +8,18 @@
 
 #include "core/parallel.h"
 #include "core/progress.h"
-#include "gap/which/closer_look.h"
-#include "gap/which/exchanges.h"
-#include "gap/which/leading_pairs.h"
-#include "gap/which/pair_by_means.h"
-#include "gap/which/pairs.h"
-#include "gap/which/partners.h"
-#include "gap/which/second_cause.h"
-#include "gap/which/second_search.h"
-#include "gap/which/untouched.h"
-#include "gap/which/whole_gap.h"
+#include "gap/candidates/closer_look.h"
+#include "gap/candidates/enough.h"
+#include "gap/candidates/polish.h"
+#include "gap/candidates/whole_gap.h"
+#include "gap/pairs/exchanges.h"
+#include "gap/pairs/leading_pairs.h"
+#include "gap/pairs/pair_by_means.h"
+#include "gap/pairs/pairs.h"
+#include "gap/pairs/partners.h"
+#include "gap/pairs/second_cause.h"
+#include "gap/pairs/second_search.h"
+#include "gap/pairs/untouched.h"
 
 namespace gap {
 
@@ -136,7 +138,7 @@ std::span<Candidate>::iterator thatEarns(const Asked& asked, std::span<Candidate
   leadByPlainest(asked.quick, asked.exact, by_price);
   const Candidate& plainest = by_price.front();
   if (plainest.hypothesis.name == best.hypothesis.name) return earning;
-  return asked.firstThatEarns(heard, plainest, restOf(asked.exact, plainest));
+  return asked.firstThatEarns(heard, plainest, deviationsLeft(asked.exact, plainest));
 }
 
 /// The pair that takes what the single causes leave of the means, and the pair that earns its place, if there is one;
@@ -162,7 +164,7 @@ std::optional<Candidate> provenByMeans(const Judge& quick, const Judge& exact, c
 bool namesTogether(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                    Decision& decision, core::Progress& progress) {
   const Candidate first = decision.singles.front();
-  const double left_by_first = restOf(exact, first);
+  const double left_by_first = deviationsLeft(exact, first);
   const bool room = roomForASecond(exact, first, left_by_first);
   if (!room && !mayHideASecond(exact, first)) return false;
   const auto closely = room ? closeJudgeBeside(usual, exact, first, left_by_first) : nullptr;
@@ -179,7 +181,8 @@ bool namesTogether(const Judge& usual, const Judge& exact, const HeldOutGaps& ga
   const Candidate& best = decision.singles.front();
   const bool still_first = formOf(best.hypothesis) == formOf(first.hypothesis) && best.values == first.values;
   const Asked asked{quick, exact, gaps, room, decision.singles.size()};
-  const auto earning = thatEarns(asked, heard, decision.singles, still_first ? left_by_first : restOf(exact, best));
+  const auto earning =
+      thatEarns(asked, heard, decision.singles, still_first ? left_by_first : deviationsLeft(exact, best));
   const std::span named(earning, earning == heard.end() ? earning : earning + 1);
   if (const auto proven = provenByMeans(quick, exact, gaps, where, decision, named, progress)) {
     std::erase_if(pairs, [&](const Candidate& pair) { return samePair(pair, *proven); });

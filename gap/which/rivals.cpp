@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gap/which/separation.h"
+#include "gap/candidates/separation.h"
 #include "model/effects/effect.h"
 
 namespace gap {

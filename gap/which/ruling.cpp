@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "gap/which/significance.h"
-#include "gap/which/whole_gap.h"
+#include "gap/candidates/significance.h"
+#include "gap/candidates/whole_gap.h"
 
 namespace gap {
 
@@ -65,7 +65,7 @@ bool leavesOnePartOnly(const Judge& quick, const Judge& judge, const Decision& d
   Judge on_fitted = judge;
   on_fitted.split.held_out = judge.split.refined;
   const auto leftBy = [&](const Candidate& cause) {
-    return PartDeviations{restOf(judge, cause), restOf(on_fitted, cause)};
+    return PartDeviations{deviationsLeft(judge, cause), deviationsLeft(on_fitted, cause)};
   };
   const PartDeviations left = leftBy(decision.winner ? *decision.winner : decision.singles.front());
   if (!decision.pair() && left.inOnePartOnly()) return true;

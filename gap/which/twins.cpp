@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "gap/which/world_to_make.h"
+#include "gap/candidates/world_to_make.h"
 
 namespace gap {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gap/which/candidates.h"
+#include "gap/candidates/candidates.h"
 
 namespace gap {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/which/looks.h"
+#include "gap/pairs/looks.h"
 #include "tests/gap/small_world.h"
 #include "tests/gap/usual_causes.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gap/which/partners.h"
+#include "gap/pairs/partners.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 

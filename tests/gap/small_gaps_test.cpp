@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "core/physics.h"
+#include "gap/candidates/significance.h"
 #include "gap/causes/fit.h"
 #include "gap/distance/discrepancy.h"
 #include "gap/distance/extra_echoes.h"
-#include "gap/which/significance.h"
 #include "tests/gap/small_world.h"
 
 // What is rare in every beam or small beside the noise of all cells, and still there.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/which/candidates.h"
+#include "gap/candidates/candidates.h"
 
 namespace test_support {
 

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "gap/report/quantities.h"
 #include "gap/report/rest_wording.h"
+#include "gap/report/titles.h"
 #include "gap/report/wording.h"
 
 namespace desktop {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gap/which/candidates.h"
+#include "gap/candidates/candidates.h"
 #include "tests/gap/small_world.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/far/how_far.h"
-#include "gap/which/partners.h"
+#include "gap/pairs/partners.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-#include "gap/which/separation.h"
+#include "gap/candidates/separation.h"
 #include "tests/gap/hypothesis_named.h"
 #include "tests/gap/small_world.h"
 

@@ -1,0 +1,108 @@
+#include "gap/candidates/polish.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/parallel.h"
+#include "gap/candidates/scouted_samples.h"
+#include "gap/candidates/suggested.h"
+#include "gap/candidates/valleys.h"
+
+namespace gap {
+
+namespace {
+
+constexpr std::size_t kPolished = 3;  // of the leaders fitted with more frames, and
+constexpr std::size_t kPolishedPairs = 2;
+constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement helps
+
+/// The values with every number that does less than it costs put where it does nothing: an effect of several mechanisms
+/// says no more than it must.
+std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, std::vector<double> values) {
+  if (values.size() < 2) return values;
+  const auto distance = [&](const std::vector<double>& at) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, at), judge.split.refined);
+  };
+  double known = distance(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const FreeParameter& p = hypothesis.parameters[i];
+    if (p.logarithmic || values[i] == p.absent_at || p.absent_at < p.low || p.absent_at > p.high) continue;
+    std::vector<double> without = values;
+    without[i] = p.absent_at;
+    const double left = distance(without);
+    if (left > known + Judge::kNatsPerNumber) continue;
+    values = std::move(without);
+    known = left;
+  }
+  return values;
+}
+
+/// The best of three searches: around the values that few beams led to, around what the residual map suggests (a sector
+/// may have ended between two of the few), and in the valley that two numbers make. `may_lead`: it is not far behind.
+std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, const WhereResult& where,
+                              const Valleys* valleys, bool may_lead, const core::Progress& progress) {
+  const auto refineBy = may_lead ? refine : refineBriefly;
+  const Evidence evidence = judge.splitFor(candidate.hypothesis).refined;
+  const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
+  };
+  std::vector<double> refined = refineBy(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
+  if (!candidate.hypothesis.members.empty() || candidate.hypothesis.per_setup) return refined;
+  const auto refineFrom = [&](const std::vector<double>& start) {
+    std::vector<double> other = refineBy(judge.replay, candidate.hypothesis, evidence, start, progress);
+    if (distance(other, evidence) < distance(refined, evidence)) refined = std::move(other);
+  };
+  if (valleys != nullptr) {
+    const std::vector<double> lowest = valleys->lowestFrom({candidate.hypothesis, refined}, progress);
+    if (distance(lowest, evidence) < distance(refined, evidence) - Judge::kNatsPerNumber) refineFrom(lowest);
+  }
+  const Evidence few = spreadOver(judge.split.fitted, kScoutedSamples, judge.split.fitted.most_frames);
+  const std::vector<double> suggested =
+      nearestStart(judge.replay, candidate.hypothesis, few, distance(candidate.values, few), where, progress);
+  if (!suggested.empty()) refineFrom(suggested);
+  refined = orAsCounted(judge, candidate.hypothesis, std::move(refined), where);
+  return simplest(judge, candidate.hypothesis, std::move(refined));
+}
+
+}  // namespace
+
+void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
+            const core::Progress& progress) {
+  if (candidates.empty()) return;
+  const std::size_t most = std::min(kLeaders, candidates.size());
+  std::size_t leaders = 0;
+  const auto leads = [&](std::size_t c) {
+    return c < most && candidates[c].merit >= candidates.front().merit - kNearlyAsGood;
+  };
+  std::optional<Valleys> valleys;
+  const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
+    const double best = candidates.front().merit;
+    core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
+      Candidate& candidate = candidates[from + c];
+      const bool may_lead = candidate.merit >= best - kMayLead;
+      if (refined)
+        candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, may_lead, progress);
+      candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
+      judge.hear(candidate);
+    });
+    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
+  };
+  // All beams may say less of the first ones than few beams did: then others are as good.
+  while (leads(leaders)) {
+    const std::size_t looked_at = leaders;
+    while (leads(leaders)) ++leaders;
+    lookAt(looked_at, leaders, false);
+  }
+  const bool pairs = !candidates.front().hypothesis.members.empty();
+  std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
+  while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kMayLead) ++refined;
+  const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(refined);
+  if (!pairs && std::any_of(candidates.begin(), end, Valleys::mayHelp)) valleys.emplace(judge);
+  lookAt(0, refined, true);
+  // What was not looked at closely is no better than what was.
+  const double of_last = candidates[leaders - 1].merit;
+  for (std::size_t c = leaders; c < candidates.size(); ++c)
+    candidates[c].merit = std::min(candidates[c].merit, of_last);
+}
+
+}  // namespace gap
