@@ -1,7 +1,6 @@
 #include "gap/candidates/candidates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/parallel.h"
 

@@ -68,6 +68,14 @@ struct Shifts {
   }
 };
 
+/// Numbers that shift the data by degrees. The end of a sector does it beam by beam, a count by ones.
+std::vector<std::size_t> gradualIn(const Hypothesis& hypothesis) {
+  std::vector<std::size_t> gradual;
+  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i)
+    if (!jumps(hypothesis.parameters[i])) gradual.push_back(i);
+  return gradual;
+}
+
 }  // namespace
 
 std::vector<double> signatureFitFrom(const Replay& replay, const SignatureSpace& space, const Hypothesis& hypothesis,

@@ -305,13 +305,6 @@ std::vector<std::size_t> Objective::thatJump() const {
 
 bool jumps(const FreeParameter& number) { return number.azimuth || number.whole; }
 
-std::vector<std::size_t> gradualIn(const Hypothesis& hypothesis) {
-  std::vector<std::size_t> gradual;
-  for (std::size_t i = 0; i < hypothesis.parameters.size(); ++i)
-    if (!jumps(hypothesis.parameters[i])) gradual.push_back(i);
-  return gradual;
-}
-
 bool smooth(const Hypothesis& hypothesis) {
   return std::none_of(hypothesis.parameters.begin(), hypothesis.parameters.end(), jumps);
 }

@@ -12,10 +12,7 @@ namespace gap {
 
 /// Whether small steps of a number jump: the ends of sectors and counts do.
 [[nodiscard]] bool jumps(const FreeParameter& number);
-/// The numbers of a hypothesis that shift the data by degrees. The end of a sector does it beam by beam, a count by
-/// ones.
-[[nodiscard]] std::vector<std::size_t> gradualIn(const Hypothesis& hypothesis);
-/// Whether all of them do.
+/// Whether small steps of its numbers change little.
 [[nodiscard]] bool smooth(const Hypothesis& hypothesis);
 
 /// What a search makes small: the discrepancy of a hypothesis on some evidence, over the unit cube of its free numbers.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/text.h"

@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "gap/candidates/candidates.h"
 #include "gap/causes/fit.h"
@@ -15,6 +17,9 @@ namespace test_support {
 /// The small world as a true model measures it, beside what the model under test makes of it.
 class MeasuredWall : public testing::Test {
  protected:
+  MeasuredWall() = default;  // to be measured by the test
+  explicit MeasuredWall(const SmallWorld::Effects& truth) { measure(truth); }
+
   void measure(SmallWorld::Effects truth, const std::map<std::string, double>& offset_m = {},
                const std::map<std::string, double>& sensor = {}, const SmallWorld::Effects& known = {}) {
     truth.insert(known.begin(), known.end());
@@ -31,6 +36,10 @@ class MeasuredWall : public testing::Test {
   [[nodiscard]] gap::Hypothesis effect(const std::string& name) const {
     return hypothesisNamed(gap::hypothesesFor(*replay_, {name}), name);
   }
+  /// The same with these values.
+  [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
+    return {effect(name), std::move(values)};
+  }
   /// A cause that moves the wall by so much for each unit of its one number.
   [[nodiscard]] static gap::Hypothesis movedBy(const std::string& name, double most = 0.5, double m_per_unit = 1.0) {
     gap::Hypothesis cause;
@@ -41,7 +50,7 @@ class MeasuredWall : public testing::Test {
     };
     return cause;
   }
-  [[nodiscard]] gap::Judge judged() const { return {*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)}; }
+  [[nodiscard]] gap::Judge judge() const { return {*replay_, split_, gap::yardstickOf(*replay_, split_.held_out)}; }
   [[nodiscard]] gap::Scouted scouted(const gap::Hypothesis& hypothesis) const {
     return gap::scout(*replay_, hypothesis, split_.fitted, {}, core::SilentProgress());
   }

@@ -6,33 +6,26 @@
 #include <vector>
 
 #include "gap/pairs/partners.h"
-#include "tests/gap/hypothesis_named.h"
-#include "tests/gap/small_world.h"
+#include "tests/gap/measured_wall.h"
 
 namespace {
 
-using test_support::SmallWorld;
 using Names = std::vector<std::string>;
 
 /// Ranges that are all off, seen through dirt in half of the view.
-class NextExperiment : public testing::Test {
+class NextExperiment : public test_support::MeasuredWall {
  protected:
-  [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
-    return {test_support::hypothesisNamed(gap::hypothesesFor(replay_, {name}), name), std::move(values)};
-  }
+  NextExperiment()
+      : MeasuredWall(
+            {{"range-offset", {{"offset_m", 0.4}}},
+             {"cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}) {}
+
   [[nodiscard]] Names separatedBy(const gap::Decision& decision) const {
     const auto next = gap::nextExperiment(judge_, decision);
     return next ? next->separates : Names{};
   }
 
-  SmallWorld world_;
-  model::Experiment measured_ = world_.measuredBy(
-      SmallWorld::modelWith(
-          {{"range-offset", {{"offset_m", 0.4}}},
-           {"cover-contamination", {{"attenuation", 0.3}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
-      0.4);
-  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
-  gap::Judge judge_{replay_, gap::splitOf(replay_, 1), gap::yardstickOf(replay_, gap::splitOf(replay_, 1).held_out)};
+  gap::Judge judge_ = judge();
   gap::Candidate offset_ = with("range-offset", {0.4}), dirt_ = with("cover-contamination", {0.3, 0.0, 60.0}),
                  drift_ = with("clock-drift", {5000.0}), loss_ = with("detection-loss", {0.1});
 };

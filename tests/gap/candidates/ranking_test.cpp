@@ -13,7 +13,7 @@ class Ranking : public test_support::MeasuredWall {
   /// An effect as it is ranked, with what the residual map suggests.
   [[nodiscard]] gap::Candidate rankedAlone(const char* name) const {
     core::SilentProgress progress;
-    return gap::rank(judged(), {effect(name)}, gap::whereIn(*replay_, replay_->baseline(), 1), progress).front();
+    return gap::rank(judge(), {effect(name)}, gap::whereIn(*replay_, replay_->baseline(), 1), progress).front();
   }
   /// The variants that are tried of a cause, one of which takes long to fit.
   [[nodiscard]] std::vector<std::string> tried() const {
@@ -22,7 +22,7 @@ class Ranking : public test_support::MeasuredWall {
     costly.costly = true;
     core::SilentProgress progress;
     std::vector<std::string> variants;
-    for (const gap::Candidate& candidate : gap::rank(judged(), {costly, movedBy("elsewhere")}, {}, progress))
+    for (const gap::Candidate& candidate : gap::rank(judge(), {costly, movedBy("elsewhere")}, {}, progress))
       variants.push_back(candidate.hypothesis.variant);
     return variants;
   }
@@ -54,7 +54,7 @@ TEST_F(Ranking, LooksAtFurtherCausesWhereAllBeamsSayLessOfTheFirst) {
   std::vector<gap::Candidate> candidates{
       {.hypothesis = effect("blooming"), .values = {0.001}, .explained = 1.0, .merit = 0.9},
       {.hypothesis = effect("range-offset"), .values = {0.1}, .explained = 0.6, .merit = 0.4}};
-  gap::polish(judged(), gaps, candidates, gap::whereIn(*replay_, replay_->baseline(), 1), core::SilentProgress());
+  gap::polish(judge(), gaps, candidates, gap::whereIn(*replay_, replay_->baseline(), 1), core::SilentProgress());
   EXPECT_EQ(candidates.front().hypothesis.name, "range-offset");
   EXPECT_GT(candidates.front().merit, 0.9);
 }

@@ -4,32 +4,24 @@
 #include <gtest/gtest.h>
 
 #include "gap/pairs/partners.h"
-#include "tests/gap/hypothesis_named.h"
-#include "tests/gap/small_world.h"
+#include "tests/gap/measured_wall.h"
 
 namespace {
 
-using test_support::SmallWorld;
-
 /// An offset of all ranges, and dirt in front of three columns of beams.
-class LeadingPairs : public testing::Test {
+class LeadingPairs : public test_support::MeasuredWall {
  protected:
-  [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
-    return {test_support::hypothesisNamed(gap::hypothesesFor(replay_, {name}), name), std::move(values)};
-  }
+  LeadingPairs()
+      : MeasuredWall(
+            {{"range-offset", {{"offset_m", 0.1}}},
+             {"cover-contamination", {{"attenuation", 0.4}, {"azimuth_from_deg", 5.5}, {"azimuth_to_deg", 8.5}}}}) {}
+
   [[nodiscard]] gap::Candidate judged(gap::Candidate candidate) const {
     judge_.hear(candidate);
     return candidate;
   }
 
-  SmallWorld world_;
-  model::Experiment measured_ = world_.measuredBy(
-      SmallWorld::modelWith(
-          {{"range-offset", {{"offset_m", 0.1}}},
-           {"cover-contamination", {{"attenuation", 0.4}, {"azimuth_from_deg", 5.5}, {"azimuth_to_deg", 8.5}}}}),
-      0.4);
-  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
-  gap::Judge judge_{replay_, gap::splitOf(replay_, 1), gap::yardstickOf(replay_, gap::splitOf(replay_, 1).held_out)};
+  gap::Judge judge_ = judge();
   gap::Candidate offset_ = with("range-offset", {0.1}), drift_ = with("clock-drift", {100.0}),
                  dirt_ = with("cover-contamination", {0.4, 5.5, 8.5});
 };

@@ -4,29 +4,20 @@
 #include <utility>
 
 #include "gap/pairs/partners.h"
-#include "tests/gap/hypothesis_named.h"
-#include "tests/gap/small_world.h"
+#include "tests/gap/measured_wall.h"
 
 namespace {
 
-using test_support::SmallWorld;
-
 /// Ranges that are all off by so much, and dirt in front of half of the scan.
-class MeansOfTwoCauses : public testing::Test {
+class MeansOfTwoCauses : public test_support::MeasuredWall {
  protected:
   explicit MeansOfTwoCauses(double offset_m = 0.4, double attenuation = 0.3)
-      : offset_m_(offset_m),
-        attenuation_(attenuation),
-        measured_(world_.measuredBy(
-            SmallWorld::modelWith(
-                {{"range-offset", {{"offset_m", offset_m}}},
-                 {"cover-contamination",
-                  {{"attenuation", attenuation}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
-            0.4)) {}
+      : MeasuredWall({{"range-offset", {{"offset_m", offset_m}}},
+                      {"cover-contamination",
+                       {{"attenuation", attenuation}, {"azimuth_from_deg", 0.0}, {"azimuth_to_deg", 60.0}}}}),
+        offset_m_(offset_m),
+        attenuation_(attenuation) {}
 
-  [[nodiscard]] gap::Candidate with(const std::string& name, std::vector<double> values) const {
-    return {test_support::hypothesisNamed(gap::hypothesesFor(replay_, {name}), name), std::move(values)};
-  }
   /// Of these pairs, where the offset and the dirt are the best single causes, and a pair would be named.
   [[nodiscard]] std::optional<gap::Candidate> chosenOf(const std::vector<gap::Candidate>& pairs,
                                                        std::vector<gap::Candidate> leaders = {}) const {
@@ -35,10 +26,7 @@ class MeansOfTwoCauses : public testing::Test {
   }
 
   double offset_m_, attenuation_;
-  SmallWorld world_;
-  model::Experiment measured_;
-  gap::Replay replay_{measured_, SmallWorld::modelWith({})};
-  gap::Judge judge_{replay_, gap::splitOf(replay_, 1), gap::yardstickOf(replay_, gap::splitOf(replay_, 1).held_out)};
+  gap::Judge judge_ = judge();
   gap::Candidate offset_ = with("range-offset", {offset_m_}),
                  dirt_ = with("cover-contamination", {attenuation_, 0.0, 60.0}), drift_ = with("clock-drift", {100.0}),
                  loss_ = with("detection-loss", {0.01});

@@ -17,19 +17,19 @@ class Ties : public test_support::MeasuredWall {};
 // A car that is reported 4 ms late at 25 m/s stands 10 cm elsewhere; a delay might be a second, an offset half a metre.
 TEST_F(Ties, CannotTellTwoCausesOfOneNumberThatDoTheSameHoweverSmallTheNumber) {
   moveBy(0.1);
-  const gap::Judge judge = judged();
+  const gap::Judge judge = this->judge();
   const gap::Candidate delay{.hypothesis = movedBy("delay", 1.0, 25.0), .values = {0.004}};
-  const gap::Candidate offset{.hypothesis = movedBy("offset", 0.5, 1.0), .values = {0.1}};
+  const gap::Candidate offset{.hypothesis = movedBy("offset"), .values = {0.1}};
   EXPECT_TRUE(gap::rivalsOf(judge, judge, {delay, offset}).front().tied());
   EXPECT_TRUE(gap::rivalsOf(judge, judge, {offset, delay}).front().tied());
 }
 
 TEST_F(Ties, SaysWhoMayStandInThePlaceOfOneOfAPair) {
   moveBy(0.1);
-  const gap::Judge judge = judged();
+  const gap::Judge judge = this->judge();
   const gap::Hypothesis loss = effect("detection-loss");
   const auto besideLoss = [&](const char* name, double offset_m) {
-    return gap::Candidate{.hypothesis = gap::together(loss, movedBy(name, 0.5, 1.0)), .values = {0.01, offset_m}};
+    return gap::Candidate{.hypothesis = gap::together(loss, movedBy(name)), .values = {0.01, offset_m}};
   };
   const auto rivals = gap::rivalsInPairs(
       judge, judge, {besideLoss("delay", 0.1), besideLoss("offset", 0.1), besideLoss("drift", 0.08)}, 0.5);
@@ -61,7 +61,7 @@ TEST_F(Ties, TellsCausesByTheFittedSamplesThatTheHeldOutOnesCannotTell) {
     sample.role = sample.id == "r19" ? model::Role::kPrediction : model::Role::kCalibration;
   replay_.emplace(measured_, SmallWorld::modelWith({}));
   split_ = gap::splitOf(*replay_, 1);
-  const gap::Judge judge = judged();
+  const gap::Judge judge = this->judge();
   const double range_m = gap::situationIn(replay_->baseline(), measured_, *replay_->samples()[2].sample)
                              .scene.objects.front()
                              .pose.position_m[0];
@@ -82,7 +82,7 @@ TEST_F(Ties, IsNotToldFromATwinButFromACauseWithAnIdleNumber) {
   const gap::HeldOutGaps gaps(*replay_, split_.held_out.samples, 1);
   core::SilentProgress progress;
   const gap::Decision decision =
-      gap::decide(judged(), judged(), gaps, true, {}, {movedBy("elsewhere"), movedBy("twin"), idle}, progress);
+      gap::decide(judge(), judge(), gaps, true, {}, {movedBy("elsewhere"), movedBy("twin"), idle}, progress);
   ASSERT_TRUE(decision.winner.has_value());
   std::vector<std::string> alike = decision.ties();
   alike.push_back(decision.winner->hypothesis.name);
