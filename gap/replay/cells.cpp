@@ -66,6 +66,22 @@ double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
   return share > 0.0 ? std::min(1.0, share) : 1.0;
 }
 
+/// How far away what a beam meets behind a pane or by way of a mirror lies, object by object.
+std::vector<double> secondRanges_m(const model::BeamHits& hits, std::uint32_t beam) {
+  struct Weighed {
+    double weight = 0.0, range = 0.0;
+  };
+  std::map<std::int32_t, Weighed> by_object;
+  for (const model::SecondHit& second : hits.secondOf(beam)) {
+    Weighed& of_object = by_object[second.hit.object];
+    of_object.weight += hits.rays.weight[second.hit.ray];
+    of_object.range += hits.rays.weight[second.hit.ray] * second.hit.range_m;
+  }
+  std::vector<double> ranges_m;
+  for (const auto& [object, of_object] : by_object) ranges_m.push_back(of_object.range / of_object.weight);
+  return ranges_m;
+}
+
 /// Where echoes of a surface come in groups that are apart, each of a third of them at least, only the group that is
 /// nearest to where the surface is recorded stays: every shot may see a false target as well, and their median would be
 /// between the two.
@@ -197,8 +213,8 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
   const model::ChainSettings& settings = baseline.settings();
   const double width_m = core::kMetresPerNanosecond * settings.emitter.pulse_fwhm_ns / 2.0;
   const model::DetectionStage& detection = settings.detection;
-  const double separation_m = std::max(detection.echo_separation_m, width_m);
-  reach_m_ = std::max(1.0, 2.0 * separation_m);
+  separation_m_ = std::max(detection.echo_separation_m, width_m);
+  reach_m_ = std::max(1.0, 2.0 * separation_m_);
   const model::CounterSteps& steps = settings.counters;
   const double of_range_m =
       kSurely * noiseOnceRounded(detection.range_noise_m, std::max(detection.range_resolution_m, steps.range_m));
@@ -217,7 +233,7 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
     const bool at_edge = sole[b] == kMixed || stretchOf_m(hits.of(b)) > width_m;
-    for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m)) {
+    for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m_)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
                         surface.weight, at_edge});
       const double walk_m = edgeWalk_m(width_m, cells_.back().power_over_threshold);
@@ -226,6 +242,12 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
   }
   surfaces_ = cells_.size();
+  first_second_.push_back(0);
+  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
+    const std::vector<double> ranges_m = secondRanges_m(hits, b);
+    second_m_.insert(second_m_.end(), ranges_m.begin(), ranges_m.end());
+    first_second_.push_back(static_cast<std::uint32_t>(second_m_.size()));
+  }
   const std::vector<bool> at_edge = edgesOf(hits, sole);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     const double share = shareOfSecondWays(hits, b);
@@ -259,6 +281,11 @@ std::size_t CellLayout::cellOf(std::uint32_t beam, double range_m) const {
       best_distance = distance;
       best = c;
     }
+  }
+  if (best >= surfaces_) return best;
+  for (std::uint32_t i = first_second_[beam]; i < first_second_[beam + 1]; ++i) {
+    const bool apart = std::abs(second_m_[i] - cells_[best].anchor_m) >= separation_m_;
+    if (apart && std::abs(second_m_[i] - range_m) < best_distance) return surfaces_ + beam;
   }
   return best;
 }

@@ -54,7 +54,8 @@ struct CellStatistics {
   [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
 };
 
-/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam. A detection that
+/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam, whose are what
+/// comes from nowhere, from behind a pane, or by way of a mirror. A detection that
 /// lies far from its cell's median (six standard deviations, estimated from the median deviation, and farther than the
 /// edge of a weak echo walks) was not made by the surface and counts as extra: one false echo would otherwise move the
 /// mean of a cell by more than its error. One whose echo pulse width lies far above the median has merged with a false
@@ -111,7 +112,10 @@ class CellLayout {
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_;  ///< surface cells of beam b: first_[b] … first_[b + 1]
   std::size_t surfaces_ = 0;
-  double reach_m_ = 0.0;  ///< farther from every anchor a detection is extra
+  std::vector<double> second_m_;             ///< ranges of what beams meet by second ways, beam by beam
+  std::vector<std::uint32_t> first_second_;  ///< like `first_`
+  double separation_m_ = 0.0;                ///< nearer to each other two echoes are one
+  double reach_m_ = 0.0;                     ///< farther from every anchor a detection is extra
   /// Nearer to the medians of its cell a detection is no outlier.
   struct Tolerance {
     double range_m, width_m;

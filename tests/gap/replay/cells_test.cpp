@@ -69,6 +69,36 @@ TEST(Cells, WhereAWallEndsBehindAPaneAreAtAnEdge) {
   EXPECT_GT(inside, 0U);
 }
 
+/// Of a wall 8 m away, 6 m behind a pane, a beam has 12 echoes, and 4 of the pane: how many of either the pane's cell
+/// keeps. Of two echoes that are nearer to each other than this the sensor reports one.
+std::pair<int, int> ofThePaneAndTheWall(double echo_separation_m) {
+  SmallWorld world;
+  world.behindAPane(2.0);
+  const model::LidarModel model = SmallWorld::modelWith({{"transmission", nlohmann::json::object()}},
+                                                        {{"/sensor/detection/echo_separation_m", echo_separation_m}});
+  const model::Experiment experiment = world.measuredBy(model, 0.4);
+  const gap::Replay replay(experiment, model);
+  const gap::CellLayout& layout = *replay.samples().front().layout;
+  const gap::Cell& pane = layout.cells().front();
+  std::vector<model::Shot> shots(16);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    shots[i].beam = pane.beam;
+    shots[i].range_m = pane.anchor_m * (i % 4 == 0 ? 1.0 : 4.0);
+  }
+  const auto cells = layout.cellsOf(shots);
+  std::pair<int, int> kept;
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    if (cells[i] == 0) ++(i % 4 == 0 ? kept.first : kept.second);
+  return kept;
+}
+
+// A sensor that reports the strongest echo alone shows the wall where it loses the pane's: far behind the pane, but
+// within two separations.
+TEST(Cells, OfAPaneDoNotTakeWhatTheBeamMeetsBehindIt) {
+  EXPECT_EQ(ofThePaneAndTheWall(0.3), std::pair(4, 0));
+  EXPECT_EQ(ofThePaneAndTheWall(4.0), std::pair(4, 0));
+}
+
 /// Of two echoes in every shot, the surface's own and one so far behind it, some of which are lost: how many of either
 /// the surface's cell keeps.
 std::pair<int, int> keptBesideAFalseTarget(double behind_m, int own, int others) {
