@@ -45,7 +45,9 @@ double squaredTolerance(const Replay& replay, const ReplaySample& sample, std::s
 double errorOf(double squared_noise, const Replay& replay, const ReplaySample& sample, std::size_t cell,
                Channel channel, const CellStatistics& simulated) {
   const double of_jumps = channel == kRange ? sample.jump_variance_m2[cell] : 0.0;
-  return std::sqrt(squared_noise + of_jumps + squaredFloor(replay, channel, simulated.mean(channel)) +
+  const double longer_m = channel == kEpw ? sample.layout->cells()[cell].may_be_longer_m : 0.0;
+  return std::sqrt(squared_noise + of_jumps + longer_m * longer_m +
+                   squaredFloor(replay, channel, simulated.mean(channel)) +
                    squaredTolerance(replay, sample, cell, channel, simulated));
 }
 

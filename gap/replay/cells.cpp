@@ -31,8 +31,8 @@ struct Surface {
   double incidence = 0.0;
 };
 
-/// The surfaces that a beam meets, near ones merged: the chain would report them as one echo.
-std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubRays& rays, double separation_m) {
+/// The objects that a beam meets, the nearest one first.
+std::vector<Surface> objectsOf(const model::HitsOfBeam& hits, const model::SubRays& rays) {
   std::vector<Surface> surfaces;
   for (const model::Hit& hit : hits) {
     auto known =
@@ -48,8 +48,13 @@ std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubR
     surface.incidence /= surface.weight;
   }
   std::sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) { return a.range < b.range; });
+  return surfaces;
+}
+
+/// The surfaces that a beam meets, near ones merged: the chain would report them as one echo.
+std::vector<Surface> surfacesOf(const std::vector<Surface>& objects, double separation_m) {
   std::vector<Surface> kept;
-  for (const Surface& surface : surfaces) {
+  for (const Surface& surface : objects) {
     if (!kept.empty() && surface.range - kept.back().range < separation_m) {
       if (surface.weight > kept.back().weight) kept.back() = surface;
     } else {
@@ -57,6 +62,30 @@ std::vector<Surface> surfacesOf(const model::HitsOfBeam& hits, const model::SubR
     }
   }
   return kept;
+}
+
+/// Whether it hangs on a part of the beam that nobody knows (kShareError) if this object is detected at all. `whole`:
+/// power over threshold of a beam that is wholly on surfaces such as it meets.
+bool hardlySeen(const Surface& surface, double whole) {
+  return surface.weight < kWholeBeam && (surface.weight - kShareError) * whole < 1.0 &&
+         (surface.weight + kShareError) * whole > 1.0;
+}
+
+double shareOf(const std::vector<Surface>& objects) {
+  double share = 0.0;
+  for (const Surface& object : objects) share += object.weight;
+  return share;
+}
+
+/// What one of a beam's surfaces makes its echo longer by if one program sees it and another one does not: the farthest
+/// of those that are hardly seen.
+double mayBeLonger_m(const std::vector<Surface>& objects, const Surface& surface, double whole) {
+  double longer_m = 0.0;
+  for (const Surface& other : objects) {
+    if (other.object != surface.object && hardlySeen(other, whole))
+      longer_m = std::max(longer_m, std::abs(other.range - surface.range));
+  }
+  return longer_m;
 }
 
 /// Of a beam, that meets something behind a pane or by way of a mirror; 1 where nothing does.
@@ -233,9 +262,12 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
     const bool at_edge = sole[b] == kMixed || stretchOf_m(hits.of(b)) > width_m;
-    for (const Surface& surface : surfacesOf(hits.of(b), hits.rays, separation_m_)) {
-      cells_.push_back({b, surface.object, surface.range, surface.incidence, power_w / settings.receiver.threshold_w,
-                        surface.weight, at_edge});
+    const double over_threshold = power_w / settings.receiver.threshold_w;
+    const std::vector<Surface> objects = objectsOf(hits.of(b), hits.rays);
+    const double whole = over_threshold / shareOf(objects);
+    for (const Surface& surface : surfacesOf(objects, separation_m_)) {
+      cells_.push_back({b, surface.object, surface.range, surface.incidence, over_threshold, surface.weight, at_edge,
+                        mayBeLonger_m(objects, surface, whole)});
       const double walk_m = edgeWalk_m(width_m, cells_.back().power_over_threshold);
       tolerances_.push_back({std::max(of_range_m, edge ? walk_m : 0.0), std::max(of_width_m, 2.0 * walk_m)});
     }

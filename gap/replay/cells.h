@@ -39,6 +39,9 @@ struct Cell {
   /// meets lies farther apart than the pulse is long. Of what is unexpected: the beam, or the next one of its layer, is
   /// not wholly on one surface or on none, or what it meets behind a pane or by way of a mirror ends within it.
   bool at_edge = false;
+  /// An echo, by another surface that so little of the beam meets that two programs need not agree whether it adds to
+  /// the echo.
+  double may_be_longer_m = 0.0;
 };
 
 /// Count, mean and spread of the detections of a cell over the frames.

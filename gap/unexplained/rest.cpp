@@ -117,6 +117,11 @@ struct Sums {
 
 }  // namespace
 
+bool Rest::isPlain() const {
+  constexpr double kMost = 0.5;
+  return std::any_of(laws.begin(), laws.end(), [](const Law& law) { return law.explained > kMost; });
+}
+
 void Rest::putFirst(std::vector<Law> first) {
   for (Law& law : laws) {
     const bool told = std::any_of(first.begin(), first.end(), [&](const Law& other) {

@@ -19,6 +19,9 @@ struct Rest {
   [[nodiscard]] double ceiling() const { return 1.0 - left * (1.0 - systematic); }
   /// How much less of the gap the world explains by itself.
   [[nodiscard]] double belowCeiling() const { return left * systematic; }
+  /// Whether a law says more than half of what is left of a measurand: no function with many numbers is needed, as for
+  /// what two programs differ in.
+  [[nodiscard]] bool isPlain() const;
   /// Laws in place of those that were found for the same components, before all others.
   void putFirst(std::vector<Law> first);
 };

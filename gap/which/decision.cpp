@@ -15,6 +15,7 @@
 #include "gap/candidates/suggested.h"
 #include "gap/candidates/whole_gap.h"
 #include "gap/pairs/same_sector.h"
+#include "gap/unexplained/rest.h"
 #include "gap/which/counter.h"
 #include "gap/which/naming_pairs.h"
 #include "gap/which/twins.h"
@@ -183,10 +184,11 @@ std::string toString(VerdictKind kind) {
   return "";
 }
 
-bool staysBelowCeiling(const Candidate& winner, double left) {
-  constexpr double kLeftByALaw = 0.1;  // of the gap
+bool staysBelowCeiling(const Candidate& winner, const Rest& rest) {
+  constexpr double kByAnything = 0.1, kByAPlainLaw = 0.05;  // of the gap
   if (winner.hypothesis.seen_in_values) return false;
-  return std::min({left, 1.0 - winner.explained, winner.total_left}) >= kLeftByALaw;
+  const double left = std::min({rest.belowCeiling(), 1.0 - winner.explained, winner.total_left});
+  return left >= (rest.isPlain() ? kByAPlainLaw : kByAnything);
 }
 
 const Candidate* pairWith(const Decision& decision, const Rival& rival) {
