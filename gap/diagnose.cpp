@@ -146,7 +146,7 @@ void heedLaws(const Judge& judge, const WhereResult& where, std::uint64_t seed, 
     const WhereResult after = whereIn(replay, winnersWorld(replay, decision), seed);
     of_direction = directionLawsIn(judge, *decision.winner, where, after);
     diagnosis.rest = restOf(replay, judge.split, where, after);
-    const bool below = diagnosis.rest && staysBelowCeiling(*decision.winner, *diagnosis.rest);
+    const bool below = diagnosis.rest && staysBelowCeiling(decision, *diagnosis.rest);
     if (of_direction.empty() && !below) {
       diagnosis.where = rowsOfCause(replay, where, after);
       return;

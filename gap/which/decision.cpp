@@ -184,11 +184,31 @@ std::string toString(VerdictKind kind) {
   return "";
 }
 
-bool staysBelowCeiling(const Candidate& winner, const Rest& rest) {
+namespace {
+
+/// The most that the winner explains together with any second cause that was tried.
+double explainedBesideAny(const Decision& decision) {
+  const Candidate& winner = *decision.winner;
+  double most = winner.explained;
+  for (const Candidate& pair : decision.pairs) {
+    const std::vector<Hypothesis>& members = pair.hypothesis.members;
+    const bool holds = std::any_of(members.begin(), members.end(), [&](const Hypothesis& member) {
+      return formOf(member) == formOf(winner.hypothesis);
+    });
+    if (holds) most = std::max(most, pair.explained);
+  }
+  return most;
+}
+
+}  // namespace
+
+bool staysBelowCeiling(const Decision& decision, const Rest& rest) {
   constexpr double kByAnything = 0.1, kByAPlainLaw = 0.05;  // of the gap
+  const Candidate& winner = *decision.winner;
   if (winner.hypothesis.seen_in_values) return false;
   const double left = std::min({rest.belowCeiling(), 1.0 - winner.explained, winner.total_left});
-  return left >= (rest.isPlain() ? kByAPlainLaw : kByAnything);
+  if (left >= kByAnything) return true;
+  return rest.isPlain() && std::min(left, 1.0 - explainedBesideAny(decision)) >= kByAPlainLaw;
 }
 
 const Candidate* pairWith(const Decision& decision, const Rival& rival) {

@@ -58,10 +58,10 @@ struct Decision {
                               const WhereResult& where, const std::vector<Hypothesis>& hypotheses,
                               core::Progress& progress);
 
-/// Whether a cause leaves so much of the gap that follows something (`rest`) that it is not the cause, half of that if
-/// it follows a plain law; not so if next to nothing is left by another measure, of the discrepancy or of the total
-/// gap, or if the values show the cause by themselves.
-[[nodiscard]] bool staysBelowCeiling(const Candidate& winner, const Rest& rest);
+/// Whether the winner leaves so much of the gap that follows something (`rest`) that it is not the cause; half of that
+/// is enough if it follows a plain law and no second cause that was tried takes it. Not so if next to nothing is left
+/// by another measure, of the discrepancy or of the total gap, or if the values show the cause by themselves.
+[[nodiscard]] bool staysBelowCeiling(const Decision& decision, const Rest& rest);
 
 /// Of the pairs that were tried, that in which a rival stands in a member's place; null if none was. The winner is a
 /// pair.

@@ -10,28 +10,44 @@ namespace {
 /// Of the gap so much is left, all of which follows something.
 Rest following(double left) { return {.left = left, .systematic = 1.0, .laws = {}}; }
 
+/// Won by a cause that explains so much of the cells and leaves so much of the total gap.
+Decision wonBy(double explained, double total_left) {
+  Decision decision;
+  decision.winner = Candidate{.hypothesis = {.name = "fog"}, .explained = explained, .total_left = total_left};
+  return decision;
+}
+
 TEST(Ceiling, IsNotHeldAgainstACauseThatLeavesNextToNothingByAnotherMeasure) {
-  const auto left = [](double explained, double total_left) {
-    return Candidate{.explained = explained, .total_left = total_left};
-  };
-  EXPECT_TRUE(staysBelowCeiling(left(0.7, 0.3), following(0.2)));
-  EXPECT_FALSE(staysBelowCeiling(left(0.7, 0.3), following(0.05))) << "what is left follows nothing";
-  EXPECT_FALSE(staysBelowCeiling(left(0.7, 0.01), following(0.2))) << "fog that takes the gap but for a hundredth";
-  EXPECT_FALSE(staysBelowCeiling(left(0.97, 0.3), following(0.2))) << "a rare loss, which no single cell shows";
-  Candidate comb = left(0.5, 0.6);
-  comb.hypothesis.seen_in_values = true;
+  EXPECT_TRUE(staysBelowCeiling(wonBy(0.7, 0.3), following(0.2)));
+  EXPECT_FALSE(staysBelowCeiling(wonBy(0.7, 0.3), following(0.05))) << "what is left follows nothing";
+  EXPECT_FALSE(staysBelowCeiling(wonBy(0.7, 0.01), following(0.2))) << "fog that takes the gap but for a hundredth";
+  EXPECT_FALSE(staysBelowCeiling(wonBy(0.97, 0.3), following(0.2))) << "a rare loss, which no single cell shows";
+  Decision comb = wonBy(0.5, 0.6);
+  comb.winner->hypothesis.seen_in_values = true;
   EXPECT_FALSE(staysBelowCeiling(comb, following(0.5))) << "all ranges are multiples of one step";
 }
 
 TEST(Ceiling, OfAPlainLawIsHeldAgainstACauseSooner) {
-  const Candidate cause{.explained = 0.8, .total_left = 0.3};
+  const Decision decision = wonBy(0.8, 0.3);
   Rest rest = following(0.07);
-  EXPECT_FALSE(staysBelowCeiling(cause, rest));
+  EXPECT_FALSE(staysBelowCeiling(decision, rest));
   rest.laws = {{.measurand = "range", .component = "scatter", .explained = 0.4}};
-  EXPECT_FALSE(staysBelowCeiling(cause, rest)) << "the law says less than half of it";
+  EXPECT_FALSE(staysBelowCeiling(decision, rest)) << "the law says less than half of it";
   rest.laws.front().explained = 0.6;
-  EXPECT_TRUE(staysBelowCeiling(cause, rest));
-  EXPECT_FALSE(staysBelowCeiling({.explained = 0.97, .total_left = 0.3}, rest));
+  EXPECT_TRUE(staysBelowCeiling(decision, rest));
+  EXPECT_FALSE(staysBelowCeiling(wonBy(0.97, 0.3), rest));
+}
+
+TEST(Ceiling, OfAPlainLawIsNotHeldAgainstACauseBesideWhichAnotherOneTakesIt) {
+  Decision decision = wonBy(0.8, 0.3);
+  const Rest rest{.left = 0.07, .systematic = 1.0, .laws = {{.measurand = "epw", .explained = 0.9}}};
+  const auto tried = [](const char* member, double explained) {
+    return Candidate{.hypothesis = {.members = {{.name = member}, {.name = "jitter"}}}, .explained = explained};
+  };
+  decision.pairs = {tried("fog", 0.94), tried("rain", 0.99)};
+  EXPECT_TRUE(staysBelowCeiling(decision, rest)) << "beside fog the jitter leaves 0.06";
+  decision.pairs.front().explained = 0.97;
+  EXPECT_FALSE(staysBelowCeiling(decision, rest));
 }
 
 TEST(Decision, NamesTheEffectOfAPairBeforeWhatIsBesideIt) {
