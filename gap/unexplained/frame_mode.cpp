@@ -126,15 +126,15 @@ Seen seenIn(const Replay& replay, Channel channel) {
   return seen;
 }
 
-/// Whether the frames of the baseline deviate, too.
-bool isOfTheBaseline(const Replay& replay, Channel channel) {
+/// Whether the frames of a world deviate, too.
+bool deviateIn(const Replay& replay, const World& world, Channel channel) {
   std::vector<FrameDeviations> simulated;
   for (std::size_t s = 0; s < replay.samples().size(); ++s) {
     const ReplaySample& sample = replay.samples()[s];
-    const core::Detections baseline = replay.detections(replay.baseline(), s, replay.seed());
-    const auto beam_of = beamsOfDetections(baseline, sample.beams, {});
+    const core::Detections detections = replay.detections(world, s, replay.seed());
+    const auto beam_of = beamsOfDetections(detections, sample.beams, {});
     simulated.push_back(
-        deviationsOf(sample, baseline, beam_of, baseline.*kValues[channel], replay.resolution(channel)));
+        deviationsOf(sample, detections, beam_of, detections.*kValues[channel], replay.resolution(channel)));
   }
   return std::max(zOf(simulated), alikeIn(simulated).z) >= kStandsOut;
 }
@@ -190,14 +190,15 @@ bool explainsTheirMean(const Judge& judge, const FrameMode& frames, const World&
   return frames.span_in_all_samples > kGoodPart * own * replay.resolution(frames.channel);
 }
 
-std::optional<FrameMode> frameModeOf(const Judge& judge) {
+std::optional<FrameMode> frameModeOf(const Judge& judge, const World& with_cause) {
   const Replay& replay = judge.replay;
   if (replay.samples().front().layout->pooled()) return std::nullopt;
   FrameMode mode;
   Seen most;
   for (const Channel channel : replay.channels()) {
     Seen seen = seenIn(replay, channel);
-    if (seen.z < kStandsOut || seen.z <= mode.z || isOfTheBaseline(replay, channel)) continue;
+    if (seen.z < kStandsOut || seen.z <= mode.z) continue;
+    if (deviateIn(replay, replay.baseline(), channel) || deviateIn(replay, with_cause, channel)) continue;
     mode.channel = channel;
     mode.z = seen.z;
     mode.stddev = seen.stddev;

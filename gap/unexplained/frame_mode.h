@@ -6,9 +6,9 @@
 
 namespace gap {
 
-/// What all detections of a frame have in common. Effects, parameters and references act alike in all frames of a
-/// sample, or on every detection for itself; a sensor that jumps, drifts or swings from frame to frame does neither,
-/// and poses as noise.
+/// What all detections of a frame have in common. Nearly all effects, parameters and references act alike in all frames
+/// of a sample, or on every detection for itself; a sensor that jumps, drifts or swings from frame to frame does
+/// neither, and poses as noise.
 struct FrameMode {
   Channel channel = kRange;  ///< in which it stands out most
   double stddev = 0.0;       ///< of the common deviation, over frames [m, m, nW]
@@ -21,8 +21,8 @@ struct FrameMode {
 };
 
 /// On all samples, its share on those held out; nothing where it does not stand out beyond doubt, or does so in the
-/// baseline as well.
-[[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge);
+/// baseline or with the cause as well: clouds of spray are new in every frame.
+[[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge, const World& with_cause);
 
 /// Whether a cause, which is the same in all frames, mostly moves the channel in which frames deviate alike in all
 /// samples, and moves it by so little that they deviate by a good part of that: then it is their mean that it explains.
