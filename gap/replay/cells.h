@@ -57,12 +57,12 @@ struct CellStatistics {
   [[nodiscard]] double variance(Channel channel) const;  ///< n-1; 0 below two detections
 };
 
-/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam, whose are what
-/// comes from nowhere, from behind a pane, or by way of a mirror. A detection that
-/// lies far from its cell's median (six standard deviations, estimated from the median deviation, and farther than the
-/// edge of a weak echo walks) was not made by the surface and counts as extra: one false echo would otherwise move the
-/// mean of a cell by more than its error. One whose echo pulse width lies far above the median has merged with a false
-/// echo: it counts with the median width.
+/// All cells of one sample. Cells with a surface come first, beam by beam; then one extra cell a beam, for what comes
+/// from nowhere, from behind a pane, or by way of a mirror. A detection that lies far from its cell's median (six
+/// standard deviations, estimated from the median deviation, and farther than the edge of a weak echo walks) was not
+/// made by the surface and counts as extra: one false echo would otherwise move the mean of a cell by more than its
+/// error. One whose echo pulse width lies far above the median has merged with a false echo: it counts with the median
+/// width.
 class CellLayout {
  public:
   /// What was recorded of the detections of all samples beside their ranges.
