@@ -31,10 +31,15 @@ struct Surface {
   double incidence = 0.0;
 };
 
-/// The objects that a beam meets, the nearest one first.
-std::vector<Surface> objectsOf(const model::HitsOfBeam& hits, const model::SubRays& rays) {
+model::Hit hitOf(const model::Hit& hit) { return hit; }
+model::Hit hitOf(const model::SecondHit& second) { return second.hit; }
+
+/// The objects that some hits of a beam lie on, the nearest one first.
+template <typename Hits>
+std::vector<Surface> objectsOf(const Hits& hits, const model::SubRays& rays) {
   std::vector<Surface> surfaces;
-  for (const model::Hit& hit : hits) {
+  for (const auto& of_ray : hits) {
+    const model::Hit hit = hitOf(of_ray);
     auto known =
         std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.object == hit.object; });
     if (known == surfaces.end()) known = surfaces.insert(surfaces.end(), Surface{hit.object});
@@ -95,22 +100,6 @@ double shareOfSecondWays(const model::BeamHits& hits, std::uint32_t beam) {
   return share > 0.0 ? std::min(1.0, share) : 1.0;
 }
 
-/// How far away what a beam meets behind a pane or by way of a mirror lies, object by object.
-std::vector<double> secondRanges_m(const model::BeamHits& hits, std::uint32_t beam) {
-  struct Weighed {
-    double weight = 0.0, range = 0.0;
-  };
-  std::map<std::int32_t, Weighed> by_object;
-  for (const model::SecondHit& second : hits.secondOf(beam)) {
-    Weighed& of_object = by_object[second.hit.object];
-    of_object.weight += hits.rays.weight[second.hit.ray];
-    of_object.range += hits.rays.weight[second.hit.ray] * second.hit.range_m;
-  }
-  std::vector<double> ranges_m;
-  for (const auto& [object, of_object] : by_object) ranges_m.push_back(of_object.range / of_object.weight);
-  return ranges_m;
-}
-
 /// Where echoes of a surface come in groups that are apart, each of a third of them at least, only the group that is
 /// nearest to where the surface is recorded stays: every shot may see a false target as well, and their median would be
 /// between the two.
@@ -168,15 +157,9 @@ Usual usualOf(std::vector<double>& values, double least_tolerance) {
 constexpr std::int32_t kNone = -1, kMixed = -2;
 
 /// The one object that a beam meets with its whole cross-section; -1 for none, -2 for several or a part.
-std::int32_t soleObject(const model::HitsOfBeam& of_beam, const model::SubRays& rays) {
-  double weight = 0.0;
-  std::int32_t object = kNone;
-  for (const model::Hit& hit : of_beam) {
-    if (object != kNone && hit.object != object) return kMixed;
-    object = hit.object;
-    weight += rays.weight[hit.ray];
-  }
-  return object == kNone || weight > kWholeBeam ? object : kMixed;
+std::int32_t soleOf(const std::vector<Surface>& objects) {
+  if (objects.empty()) return kNone;
+  return objects.size() == 1 && objects.front().weight > kWholeBeam ? objects.front().object : kMixed;
 }
 
 /// Of every beam: whether it is not wholly on one surface (or on none), or meets another one than its next neighbours.
@@ -256,14 +239,15 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
     return;
   }
   std::vector<std::int32_t> sole;
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) sole.push_back(soleObject(hits.of(b), hits.rays));
   first_.push_back(0);
+  first_second_.push_back(0);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     double power_w = 0.0;
     for (const model::Pulse& pulse : baseline.pulsesOf(hits, b, scene)) power_w += pulse.power_w;
+    const std::vector<Surface> objects = objectsOf(hits.of(b), hits.rays);
+    sole.push_back(soleOf(objects));
     const bool at_edge = sole[b] == kMixed || stretchOf_m(hits.of(b)) > width_m;
     const double over_threshold = power_w / settings.receiver.threshold_w;
-    const std::vector<Surface> objects = objectsOf(hits.of(b), hits.rays);
     const double whole = over_threshold / shareOf(objects);
     for (const Surface& surface : surfacesOf(objects, separation_m_)) {
       cells_.push_back({b, surface.object, surface.range, surface.incidence, over_threshold, surface.weight, at_edge,
@@ -272,14 +256,10 @@ CellLayout::CellLayout(const model::BeamHits& hits, const model::Scene& scene, c
       tolerances_.push_back({std::max(of_range_m, edge ? walk_m : 0.0), std::max(of_width_m, 2.0 * walk_m)});
     }
     first_.push_back(static_cast<std::uint32_t>(cells_.size()));
-  }
-  surfaces_ = cells_.size();
-  first_second_.push_back(0);
-  for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
-    const std::vector<double> ranges_m = secondRanges_m(hits, b);
-    second_m_.insert(second_m_.end(), ranges_m.begin(), ranges_m.end());
+    for (const Surface& surface : objectsOf(hits.secondOf(b), hits.rays)) second_m_.push_back(surface.range);
     first_second_.push_back(static_cast<std::uint32_t>(second_m_.size()));
   }
+  surfaces_ = cells_.size();
   const std::vector<bool> at_edge = edgesOf(hits, sole);
   for (std::uint32_t b = 0; b < hits.beams.size(); ++b) {
     const double share = shareOfSecondWays(hits, b);

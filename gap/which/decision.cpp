@@ -166,6 +166,16 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
   decision.rivals = rivalsOf(quick, exact, decision.singles);
 }
 
+/// The most that the winner explains together with any second cause that was tried.
+double explainedBesideAny(const Decision& decision) {
+  double most = decision.winner->explained;
+  for (const Candidate& pair : decision.pairs) {
+    const std::vector<Candidate> members = membersOf(pair);
+    if (placeOfForm(members, *decision.winner) < members.size()) most = std::max(most, pair.explained);
+  }
+  return most;
+}
+
 }  // namespace
 
 std::string toString(VerdictKind kind) {
@@ -183,24 +193,6 @@ std::string toString(VerdictKind kind) {
   }
   return "";
 }
-
-namespace {
-
-/// The most that the winner explains together with any second cause that was tried.
-double explainedBesideAny(const Decision& decision) {
-  const Candidate& winner = *decision.winner;
-  double most = winner.explained;
-  for (const Candidate& pair : decision.pairs) {
-    const std::vector<Hypothesis>& members = pair.hypothesis.members;
-    const bool holds = std::any_of(members.begin(), members.end(), [&](const Hypothesis& member) {
-      return formOf(member) == formOf(winner.hypothesis);
-    });
-    if (holds) most = std::max(most, pair.explained);
-  }
-  return most;
-}
-
-}  // namespace
 
 bool staysBelowCeiling(const Decision& decision, const Rest& rest) {
   constexpr double kByAnything = 0.1, kByAPlainLaw = 0.05;  // of the gap

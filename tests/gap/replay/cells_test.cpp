@@ -69,6 +69,22 @@ TEST(Cells, WhereAWallEndsBehindAPaneAreAtAnEdge) {
   EXPECT_GT(inside, 0U);
 }
 
+/// Of echoes at these ranges in the beam of the first surface, and of others, how many the surface's cell keeps.
+std::pair<int, int> keptOf(const gap::CellLayout& layout, const std::vector<double>& own_m,
+                           const std::vector<double>& others_m) {
+  std::vector<model::Shot> shots;
+  for (const std::vector<double>& ranges_m : {own_m, others_m}) {
+    for (const double range_m : ranges_m) {
+      shots.emplace_back();
+      shots.back().beam = layout.cells().front().beam;
+      shots.back().range_m = range_m;
+    }
+  }
+  const std::vector<std::size_t> cells = layout.cellsOf(shots);
+  const auto others = cells.begin() + static_cast<std::ptrdiff_t>(own_m.size());
+  return {std::count(cells.begin(), others, std::size_t{0}), std::count(others, cells.end(), std::size_t{0})};
+}
+
 /// Of a wall 8 m away, 6 m behind a pane, a beam has 12 echoes, and 4 of the pane: how many of either the pane's cell
 /// keeps. Of two echoes that are nearer to each other than this the sensor reports one.
 std::pair<int, int> ofThePaneAndTheWall(double echo_separation_m) {
@@ -79,17 +95,8 @@ std::pair<int, int> ofThePaneAndTheWall(double echo_separation_m) {
   const model::Experiment experiment = world.measuredBy(model, 0.4);
   const gap::Replay replay(experiment, model);
   const gap::CellLayout& layout = *replay.samples().front().layout;
-  const gap::Cell& pane = layout.cells().front();
-  std::vector<model::Shot> shots(16);
-  for (std::size_t i = 0; i < shots.size(); ++i) {
-    shots[i].beam = pane.beam;
-    shots[i].range_m = pane.anchor_m * (i % 4 == 0 ? 1.0 : 4.0);
-  }
-  const auto cells = layout.cellsOf(shots);
-  std::pair<int, int> kept;
-  for (std::size_t i = 0; i < shots.size(); ++i)
-    if (cells[i] == 0) ++(i % 4 == 0 ? kept.first : kept.second);
-  return kept;
+  const double pane_m = layout.cells().front().anchor_m;
+  return keptOf(layout, std::vector<double>(4, pane_m), std::vector<double>(12, 4.0 * pane_m));
 }
 
 // A sensor that reports the strongest echo alone shows the wall where it loses the pane's: far behind the pane, but
@@ -107,18 +114,11 @@ std::pair<int, int> keptBesideAFalseTarget(double behind_m, int own, int others)
   const model::Experiment experiment = world.measuredBy(model, 0.4);
   const gap::Replay replay(experiment, model);
   const gap::CellLayout& layout = *replay.samples().front().layout;
-  const gap::Cell& surface = layout.cells().front();
-  std::vector<model::Shot> shots(static_cast<std::size_t>(own + others));
-  for (int i = 0; i < own + others; ++i) {
-    model::Shot& shot = shots[static_cast<std::size_t>(i)];
-    shot.beam = surface.beam;
-    shot.range_m = surface.anchor_m + 0.001 * i + (i < own ? 0.0 : behind_m);
-  }
-  std::pair<int, int> kept;
-  const auto cells = layout.cellsOf(shots);
+  const double surface_m = layout.cells().front().anchor_m;
+  std::vector<double> own_m, others_m;
   for (int i = 0; i < own + others; ++i)
-    if (cells[static_cast<std::size_t>(i)] == 0) ++(i < own ? kept.first : kept.second);
-  return kept;
+    (i < own ? own_m : others_m).push_back(surface_m + 0.001 * i + (i < own ? 0.0 : behind_m));
+  return keptOf(layout, own_m, others_m);
 }
 
 // The median of both would be between them, or with the one of which fewer are lost.
@@ -148,13 +148,9 @@ int keptNearTheThreshold(const char* range_mode) {
   model = model::parseModel(model.json, model.file);
   const gap::Replay replay(experiment, model);
   const gap::CellLayout& layout = *replay.samples().front().layout;
-  std::vector<model::Shot> shots(9);
-  for (std::size_t i = 0; i < shots.size(); ++i) {
-    shots[i].beam = layout.cells().front().beam;
-    shots[i].range_m = layout.cells().front().anchor_m - (i < 6 ? 0.3 : 0.15) + 0.001 * static_cast<double>(i);
-  }
-  const auto cells = layout.cellsOf(shots);
-  return static_cast<int>(std::count(cells.begin(), cells.end(), std::size_t{0}));
+  std::vector<double> ranges_m;
+  for (int i = 0; i < 9; ++i) ranges_m.push_back(layout.cells().front().anchor_m - (i < 6 ? 0.3 : 0.15) + 0.001 * i);
+  return keptOf(layout, ranges_m, {}).first;
 }
 
 // A pulse of 0.67 m whose peak is twice the threshold passes it 0.33 m before the peak, one of 1.2 times 0.17 m.
