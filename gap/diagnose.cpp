@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/forward_progress.h"
 #include "gap/background.h"
@@ -124,14 +125,17 @@ std::optional<UnevenLoss> heedLosses(const Judge& judge, Decision& decision) {
 }
 
 /// What one stratum shows beyond doubt is a gap, though the noise of all cells hides it and no cause proved itself: it
-/// is unknown what makes it.
-void heedStrata(const WhereResult& where, Decision& decision, Diagnosis& diagnosis) {
-  if (decision.kind != VerdictKind::kNone || where.largest_steps < kMaterialSteps || where.rows.empty()) return;
-  const auto surest = std::min_element(where.rows.begin(), where.rows.end(),
+/// is unknown what makes it. Edges say nothing here: how much of a beam they cut off two programs judge alike for all
+/// beams of an edge, each a little wrong.
+void heedStrata(const Replay& replay, const WhereResult& where, Decision& decision, Diagnosis& diagnosis) {
+  if (decision.kind != VerdictKind::kNone || where.largest_steps < kMaterialSteps) return;
+  std::vector<WhereRow> rows = whereRows(replay, offEdges(replay, where.by_beam), where.expected);
+  const auto surest = std::min_element(rows.begin(), rows.end(),
                                        [](const WhereRow& a, const WhereRow& b) { return a.p_value < b.p_value; });
-  if (surest->p_value > kBeyondDoubt) return;
+  if (surest == rows.end() || surest->p_value > kBeyondDoubt) return;
   decision.nameNothing(Contradiction::kOneStratum);
   diagnosis.p_value = surest->p_value;
+  diagnosis.where = std::move(rows);
 }
 
 /// What the decision leaves, and where the gap lies in its light; no cause is named that stays clearly below what
@@ -242,7 +246,7 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   if (options.list_tried) diagnosis.tried = triedOf(quick, decision.singles, decision.pairs, progress);
   const After after = provenOnTotal(gaps, replay, clear, decision, progress);
   const bool proven = decision.kind != VerdictKind::kNone;
-  heedStrata(where, decision, diagnosis);
+  heedStrata(replay, where, decision, diagnosis);
   heedLaws(exact, where, seed, decision, diagnosis);
   if (decision.kind == VerdictKind::kNone)
     decision.singles.clear();  // where nothing is to be explained, nothing has a cause

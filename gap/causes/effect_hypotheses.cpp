@@ -4,6 +4,7 @@
 #include "gap/causes/counters.h"
 #include "gap/causes/kinds.h"
 #include "gap/causes/layer_gains.h"
+#include "gap/replay/statistics.h"
 
 namespace gap {
 
@@ -192,22 +193,25 @@ void keepAboveNoise(const Replay& replay, Hypothesis& saturation) {
 }
 
 /// An uneven gain of the layers has the pattern that the data of some sensors show; how strong it is, is fitted. The
-/// gains of all layers would be as many numbers as there are layers.
+/// gains of all layers would be as many numbers as there are layers. Gains that are each their own are hardly alike by
+/// chance: a pattern that is nearly even may as well be a weaker emitter's, and pays for that.
 void addPattern(const Replay& replay, const model::EffectInfo& info, const std::vector<std::string>& seen_by,
                 const std::vector<std::string>& sensors, std::vector<Hypothesis>& list) {
   std::vector<double> pattern = unevenPartOf(layerGains(replay, seen_by));
-  double squares = 0.0, seen = 0.0;
+  std::vector<double> seen;
+  double squares = 0.0;
   for (double& gain : pattern) {
+    if (std::isfinite(gain)) seen.push_back(std::log(gain));
     const double deviation = std::isfinite(gain) ? gain - 1.0 : 0.0;
     squares += deviation * deviation;
-    seen += std::isfinite(gain) ? 1.0 : 0.0;
     gain = deviation;
   }
   if (squares <= 0.0) return;
-  const double stddev = std::sqrt(squares / seen);
+  const double stddev = std::sqrt(squares / static_cast<double>(seen.size()));
   for (double& deviation : pattern) deviation /= stddev;
   Hypothesis hypothesis = effectHypothesis(info, {"stddev"}, "");
   hypothesis.sensors = sensors;
+  hypothesis.improbable_nats = seen.size() > 1 ? -std::log(meanByChance(seen)) : 0.0;
   hypothesis.parameters.front().start = std::min(stddev, hypothesis.parameters.front().high);
   hypothesis.apply = [pattern, sensors](World& world, const std::vector<double>& values) {
     model::ActiveEffect uneven{kUnevenLayers, {}, sensors};

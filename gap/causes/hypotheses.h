@@ -38,6 +38,7 @@ struct Hypothesis {
   bool costly = false;               ///< to fit: only where another form of the same cause explains something already
   bool anywhere = false;             ///< place and extent of what acts are free, so that it can pose as much else
   bool seen_in_values = false;       ///< the measured values show it by themselves, however little they move a mean
+  double improbable_nats = 0.0;      ///< how rarely this cause looks as it was read off the data: -ln of how often
   std::vector<std::string> sensors;  ///< on which alone it holds; empty: on all
   std::vector<Hypothesis> members;   ///< of a pair, in the order of its parameters; empty for a single cause
 };

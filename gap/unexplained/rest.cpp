@@ -132,6 +132,10 @@ void Rest::putFirst(std::vector<Law> first) {
   laws = std::move(first);
 }
 
+double systematicallyLeft(const Rest& rest, const Candidate& cause) {
+  return std::min({rest.belowCeiling(), 1.0 - cause.explained, cause.total_left});
+}
+
 std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                            const WhereResult& after) {
   std::vector<Covariate> covariates = covariatesOf(replay, after.expected);

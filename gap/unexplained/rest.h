@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "gap/causes/split.h"
+#include "gap/candidates/candidates.h"
 #include "gap/unexplained/law.h"
 #include "gap/where/where.h"
 
@@ -25,6 +25,13 @@ struct Rest {
   /// Laws in place of those that were found for the same components, before all others.
   void putFirst(std::vector<Law> first);
 };
+
+/// Of the gap, what a cause leaves that follows something, by the measure that sees least of it: of the rest, of the
+/// discrepancy or of the total gap.
+[[nodiscard]] double systematicallyLeft(const Rest& rest, const Candidate& cause);
+
+/// Of the gap: so much that follows a plain law is left by what is not the cause, or not the only one.
+inline constexpr double kLeftByAPlainLaw = 0.05;
 
 /// `before`: residuals of the model as it was brought, `after`: of the world in question.
 ///

@@ -69,6 +69,15 @@ double ResidualTable::commonShift() const {
   return std::abs(sum) - noise > 5.0 * std::sqrt(variance) ? std::abs(sum) / weight() / scale : 0.0;
 }
 
+std::vector<ResidualTable> offEdges(const Replay& replay, std::vector<ResidualTable> tables) {
+  for (ResidualTable& table : tables) {
+    std::erase_if(table.rows, [&](const ResidualTable::Row& row) {
+      return replay.samples()[row.sample].layout->cells()[row.cell].at_edge;
+    });
+  }
+  return tables;
+}
+
 const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table) {
   const auto same = std::find_if(tables.begin(), tables.end(),
                                  [&](const ResidualTable& t) { return t.isOf(table.measurand, table.component); });

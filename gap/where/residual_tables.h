@@ -66,6 +66,9 @@ struct Sides {
 /// Residuals of every channel (bias and scatter) and of existence.
 [[nodiscard]] std::vector<ResidualTable> residualTables(const Replay& replay, const Sides& sides);
 
+/// The same without the beams that an edge cuts.
+[[nodiscard]] std::vector<ResidualTable> offEdges(const Replay& replay, std::vector<ResidualTable> tables);
+
 /// The one of some tables that holds the same component of the same measurand; null if none does.
 [[nodiscard]] const ResidualTable* sameOf(const std::vector<ResidualTable>& tables, const ResidualTable& table);
 

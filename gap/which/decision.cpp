@@ -195,12 +195,12 @@ std::string toString(VerdictKind kind) {
 }
 
 bool staysBelowCeiling(const Decision& decision, const Rest& rest) {
-  constexpr double kByAnything = 0.1, kByAPlainLaw = 0.05;  // of the gap
+  constexpr double kLeftByAnything = 0.1;  // of the gap
   const Candidate& winner = *decision.winner;
   if (winner.hypothesis.seen_in_values) return false;
-  const double left = std::min({rest.belowCeiling(), 1.0 - winner.explained, winner.total_left});
-  if (left >= kByAnything) return true;
-  return rest.isPlain() && std::min(left, 1.0 - explainedBesideAny(decision)) >= kByAPlainLaw;
+  const double left = systematicallyLeft(rest, winner);
+  if (left >= kLeftByAnything) return true;
+  return rest.isPlain() && std::min(left, 1.0 - explainedBesideAny(decision)) >= kLeftByAPlainLaw;
 }
 
 const Candidate* pairWith(const Decision& decision, const Rival& rival) {

@@ -44,14 +44,15 @@ double logChoices(double of, double chosen) {
   return std::lgamma(of + 1.0) - std::lgamma(chosen + 1.0) - std::lgamma(of - chosen + 1.0);
 }
 
-/// What a cause takes to say what it says, in nats: its numbers, which of them are at work, and the choice of a form
-/// other than its usual one among all of them; of a pair that of each member.
+/// What a cause takes to say what it says, in nats: its numbers, which of them are at work, the choice of a form other
+/// than its usual one among all of them, and how rarely it looks as it does here; of a pair that of each member.
 double priceOf(const Candidate& candidate) {
   double price = 0.0;
   for (const Candidate& member : membersOf(candidate)) {
     const double said = numbersSaid(member);
     price += Judge::kNatsPerNumber * said + logChoices(static_cast<double>(member.values.size()), said);
     if (!member.hypothesis.variant.empty()) price += std::log(static_cast<double>(formsOf(member.hypothesis)));
+    price += member.hypothesis.improbable_nats;
   }
   return price;
 }

@@ -212,13 +212,22 @@ TEST(Hypotheses, ACauseBesideAnotherMakesTheWorldThatBothMakeTogether) {
   EXPECT_NE(gap::worldOf(replay, added, {0.1}).model.json, gap::worldOf(replay, loss, {0.1}).model.json);
 }
 
+/// A world, and how uneven the layers seem to be in it.
+struct SeenUneven {
+  explicit SeenUneven(const model::LidarModel& truth)
+      : measured(world.measuredBy(truth, 0.4)), replay(measured, SmallWorld::modelWith({})) {}
+
+  SmallWorld world;
+  model::Experiment measured;
+  gap::Replay replay;
+  gap::Hypothesis uneven = gap::hypothesesFor(replay, {"photo-response-nonuniformity"}).front();
+};
+
 /// Gains of the layers as the hypothesis has them at the strength that the data show.
 std::vector<double> gainsSeenIn(const model::LidarModel& truth) {
-  const SmallWorld world;
-  const auto measured = world.measuredBy(truth, 0.4);
-  const gap::Replay replay(measured, SmallWorld::modelWith({}));
-  const gap::Hypothesis uneven = gap::hypothesesFor(replay, {"photo-response-nonuniformity"}).front();
-  const gap::World seen = gap::worldOf(replay, uneven, {uneven.parameters.front().start});
+  const SeenUneven seen_uneven(truth);
+  const gap::Hypothesis& uneven = seen_uneven.uneven;
+  const gap::World seen = gap::worldOf(seen_uneven.replay, uneven, {uneven.parameters.front().start});
   for (const model::ActiveEffect& effect : seen.model.effects)
     if (effect.name == uneven.name) return effect.parameters.lists.at("gain_per_layer");
   return {};
@@ -241,6 +250,17 @@ TEST(Hypotheses, AFactorThatAllLayersShareWhichSeeAnythingIsNoUnevenness) {
 TEST(Hypotheses, OneLayerAloneIsNotUneven) {
   EXPECT_DOUBLE_EQ(gap::unevenPartOf({NAN, 0.5, NAN})[1], 1.0);
   EXPECT_TRUE(std::isnan(gap::unevenPartOf({NAN, NAN})[0]));
+}
+
+// Student's t of the logarithms of these four gains is 9.55; one in 410 of three degrees of freedom is as far from 0.
+TEST(Hypotheses, LayersThatAllGainNearlyTheSameAreHardlyUneven) {
+  const auto nearlyEven =
+      SmallWorld::modelWith({{"photo-response-nonuniformity", {{"gain_per_layer", {1.2, 1.35, 1.25, 1.3}}}}});
+  EXPECT_NEAR(SeenUneven(nearlyEven).uneven.improbable_nats, std::log(410.0), 1.0);
+  const auto uneven =
+      SmallWorld::modelWith({{"photo-response-nonuniformity", {{"gain_per_layer", {1.2, 0.85, 1.1, 0.9}}}}});
+  EXPECT_LT(SeenUneven(uneven).uneven.improbable_nats, 0.5);
+  EXPECT_EQ(gap::hypothesesFor(SeenUneven(uneven).replay, {"detection-loss"}).front().improbable_nats, 0.0);
 }
 
 // Surfaces that mirror where nothing stands in the mirror take a share of the light, as dirt and a weak emitter do.

@@ -50,6 +50,26 @@ TEST(Where, TellsMissingEchoesPerShot) {
 
 // Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
 // high by chance are no stratum in which the model is wrong.
+TEST(Where, TablesOffEdgesHoldAllBeamsButThoseThatAnEdgeCuts) {
+  test_support::SmallWorld world;
+  world.withAWallOf(2.0);
+  const auto model = test_support::SmallWorld::modelWith({});
+  const auto measured = world.measuredBy(model, 0.4);
+  const gap::Replay replay(measured, model);
+  const auto tables = gap::whereIn(replay, replay.baseline(), 1).tables;
+  const auto off_edges = gap::offEdges(replay, tables);
+  const auto cut = [&](const gap::ResidualTable::Row& row) {
+    return replay.samples()[row.sample].layout->cells()[row.cell].at_edge;
+  };
+  ASSERT_EQ(off_edges.size(), tables.size());
+  for (std::size_t t = 0; t < tables.size(); ++t) {
+    const auto at_edges = std::count_if(tables[t].rows.begin(), tables[t].rows.end(), cut);
+    EXPECT_GT(at_edges, 0) << tables[t].measurand << " " << tables[t].component;
+    EXPECT_TRUE(std::none_of(off_edges[t].rows.begin(), off_edges[t].rows.end(), cut));
+    EXPECT_EQ(std::ssize(off_edges[t].rows), std::ssize(tables[t].rows) - at_edges);
+  }
+}
+
 TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
   const test_support::SmallWorld world;
   const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});

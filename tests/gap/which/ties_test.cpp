@@ -24,6 +24,18 @@ TEST_F(Ties, CannotTellTwoCausesOfOneNumberThatDoTheSameHoweverSmallTheNumber) {
   EXPECT_TRUE(gap::rivalsOf(judge, judge, {offset, delay}).front().tied());
 }
 
+TEST_F(Ties, TellsACauseThatHardlyEverLooksLikeThisFromOneThatAlwaysDoes) {
+  moveBy(0.1);
+  const gap::Judge judge = this->judge();
+  const gap::Candidate delay{.hypothesis = movedBy("delay"), .values = {0.1}};
+  gap::Candidate offset{.hypothesis = movedBy("offset"), .values = {0.1}};
+  offset.hypothesis.improbable_nats = 4.0;  // one in fifty-five
+  EXPECT_FALSE(gap::rivalsOf(judge, judge, {delay, offset}).front().tied());
+  std::vector<gap::Candidate> candidates{offset, delay};
+  gap::leadByPlainest(judge, judge, candidates);
+  EXPECT_EQ(candidates.front().hypothesis.name, "delay");
+}
+
 TEST_F(Ties, SaysWhoMayStandInThePlaceOfOneOfAPair) {
   moveBy(0.1);
   const gap::Judge judge = this->judge();
