@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "core/parallel.h"
 #include "gap/candidates/scouted_samples.h"
@@ -64,41 +65,64 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   return simplest(judge, candidate.hypothesis, std::move(refined));
 }
 
+/// Who looks at candidates with all beams.
+struct Polisher {
+  const Judge& judge;
+  const HeldOutGaps& gaps;
+  const WhereResult& where;
+  const core::Progress& progress;
+
+  void hear(Candidate& candidate) const {
+    candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
+    judge.hear(candidate);
+  }
+  [[nodiscard]] std::size_t hearLeaders(std::vector<Candidate>& candidates) const;
+  void refineFirst(std::span<Candidate> leaders) const;
+};
+
+/// How many leaders there are, once all beams judge them, best first: they may say less of the first ones than few
+/// beams did, and then others are as good.
+std::size_t Polisher::hearLeaders(std::vector<Candidate>& candidates) const {
+  const std::size_t most = std::min(kLeaders, candidates.size());
+  const auto leads = [&](std::size_t c) {
+    return c < most && candidates[c].merit >= candidates.front().merit - kNearlyAsGood;
+  };
+  std::size_t leaders = 0;
+  while (leads(leaders)) {
+    const std::size_t heard = leaders;
+    while (leads(leaders)) ++leaders;
+    core::parallelFor(leaders - heard, 1, [&](std::size_t c, std::size_t) { hear(candidates[heard + c]); });
+    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
+  }
+  return leaders;
+}
+
+/// Better values of the first leaders, and all in order again.
+void Polisher::refineFirst(std::span<Candidate> leaders) const {
+  const bool pairs = !leaders.front().hypothesis.members.empty();
+  const double best = leaders.front().merit;
+  const auto mayLead = [&](const Candidate& candidate) { return candidate.merit >= best - kMayLead; };
+  std::size_t refined = std::min(leaders.size(), pairs ? kPolishedPairs : kPolished);
+  while (!pairs && refined < leaders.size() && mayLead(leaders[refined])) ++refined;
+  const std::span<Candidate> first = leaders.first(refined);
+  std::optional<Valleys> valleys;
+  if (!pairs && std::any_of(first.begin(), first.end(), Valleys::mayHelp)) valleys.emplace(judge);
+  core::parallelFor(first.size(), 1, [&](std::size_t c, std::size_t) {
+    Candidate& candidate = first[c];
+    candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, mayLead(candidate), progress);
+    hear(candidate);
+  });
+  std::stable_sort(leaders.begin(), leaders.end(), better);
+}
+
 }  // namespace
 
 void polish(const Judge& judge, const HeldOutGaps& gaps, std::vector<Candidate>& candidates, const WhereResult& where,
             const core::Progress& progress) {
   if (candidates.empty()) return;
-  const std::size_t most = std::min(kLeaders, candidates.size());
-  std::size_t leaders = 0;
-  const auto leads = [&](std::size_t c) {
-    return c < most && candidates[c].merit >= candidates.front().merit - kNearlyAsGood;
-  };
-  std::optional<Valleys> valleys;
-  const auto lookAt = [&](std::size_t from, std::size_t to, bool refined) {
-    const double best = candidates.front().merit;
-    core::parallelFor(to - from, 1, [&](std::size_t c, std::size_t) {
-      Candidate& candidate = candidates[from + c];
-      const bool may_lead = candidate.merit >= best - kMayLead;
-      if (refined)
-        candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, may_lead, progress);
-      candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
-      judge.hear(candidate);
-    });
-    std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
-  };
-  // All beams may say less of the first ones than few beams did: then others are as good.
-  while (leads(leaders)) {
-    const std::size_t looked_at = leaders;
-    while (leads(leaders)) ++leaders;
-    lookAt(looked_at, leaders, false);
-  }
-  const bool pairs = !candidates.front().hypothesis.members.empty();
-  std::size_t refined = std::min(leaders, pairs ? kPolishedPairs : kPolished);
-  while (!pairs && refined < leaders && candidates[refined].merit >= candidates.front().merit - kMayLead) ++refined;
-  const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(refined);
-  if (!pairs && std::any_of(candidates.begin(), end, Valleys::mayHelp)) valleys.emplace(judge);
-  lookAt(0, refined, true);
+  const Polisher polisher{judge, gaps, where, progress};
+  const std::size_t leaders = polisher.hearLeaders(candidates);
+  polisher.refineFirst(std::span(candidates).first(leaders));
   // What was not looked at closely is no better than what was.
   const double of_last = candidates[leaders - 1].merit;
   for (std::size_t c = leaders; c < candidates.size(); ++c)

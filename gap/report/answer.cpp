@@ -118,6 +118,19 @@ std::string evidenceText(const Diagnosis& diagnosis) {
                      samples == 1 ? "" : "s");
 }
 
+/// What a reader asks who sees a cause that is believed and a shrink that may be none.
+std::string whyItShrinksSoLittle(const Diagnosis& diagnosis) {
+  constexpr double kFarMore = 0.3;  // of the gap
+  const double of_beams = std::min(1.0, diagnosis.verdict.evidence.explained);
+  const Shrink& shrink = diagnosis.shrink;
+  if (shrink.interval.low > 0.0 || of_beams < shrink.fraction + kFarMore) return "";
+  return fmt::format(
+      " Beam by beam the cause explains {} of what differs. Pooled over all beams, a few far echoes, set-ups and "
+      "chance "
+      "decide as much: a repetition may show more, or that the gap does not shrink.",
+      percent(of_beams));
+}
+
 std::string shrinkText(const Diagnosis& diagnosis) {
   const std::vector<std::string>& beside = diagnosis.verdict.beside;
   const char* judged =
@@ -128,10 +141,12 @@ std::string shrinkText(const Diagnosis& diagnosis) {
         "with {}; pooled data hide what evens out between beams.",
         core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged);
   return fmt::format(
-      "By {} (90 % interval {}), from {} to {}, on {}{}. 100 % would be perfect agreement, which noise does not allow.",
+      "By {} (90 % interval {}), from {} to {}, on {}{}. 100 % would be perfect agreement, which noise does not "
+      "allow.{}",
       percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
       core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged,
-      beside.empty() ? "" : fmt::format(", with the {} corrected as well", causeTitle(diagnosis, beside.front())));
+      beside.empty() ? "" : fmt::format(", with the {} corrected as well", causeTitle(diagnosis, beside.front())),
+      whyItShrinksSoLittle(diagnosis));
 }
 
 /// What is left, where there is no gap to speak of.

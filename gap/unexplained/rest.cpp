@@ -172,4 +172,12 @@ std::optional<Rest> restOf(const Replay& replay, const Split& split, const Where
   return rest;
 }
 
+bool leavesAPlainLaw(const Judge& judge, const WhereResult& before, const Candidate& cause) {
+  if (std::min(1.0 - cause.explained, cause.total_left) < kLeftByAPlainLaw) return false;
+  const World world = worldOf(judge.replay, cause.hypothesis, cause.values);
+  const WhereResult after = whereIn(judge.replay, world, judge.split.fitted.seed);
+  const std::optional<Rest> rest = restOf(judge.replay, judge.split, before, after);
+  return rest && rest->isPlain() && systematicallyLeft(*rest, cause) >= kLeftByAPlainLaw;
+}
+
 }  // namespace gap

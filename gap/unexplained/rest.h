@@ -45,4 +45,8 @@ inline constexpr double kLeftByAPlainLaw = 0.05;
 [[nodiscard]] std::optional<Rest> restOf(const Replay& replay, const Split& split, const WhereResult& before,
                                          const WhereResult& after);
 
+/// Whether a cause leaves so much that follows a plain law. A regression over all cells shows that where their sum is
+/// no more than noise. `before` as in restOf.
+[[nodiscard]] bool leavesAPlainLaw(const Judge& judge, const WhereResult& before, const Candidate& cause);
+
 }  // namespace gap

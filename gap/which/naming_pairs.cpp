@@ -161,21 +161,12 @@ std::optional<Candidate> provenByMeans(const Judge& quick, const Judge& exact, c
   return holds ? std::optional(pair) : std::nullopt;
 }
 
-/// Whether the best cause leaves a plain law, which shows in a regression over all cells while their sum is no gap: a
-/// second cause may be what makes it.
-bool leavesALaw(const Judge& exact, const WhereResult& where, const Candidate& best) {
-  if (std::min(1.0 - best.explained, best.total_left) < kLeftByAPlainLaw) return false;
-  const World world = worldOf(exact.replay, best.hypothesis, best.values);
-  const auto rest = restOf(exact.replay, exact.split, where, whereIn(exact.replay, world, exact.split.fitted.seed));
-  return rest && rest->isPlain() && systematicallyLeft(*rest, best) >= kLeftByAPlainLaw;
-}
-
 /// Looks for two causes that earn their place in all aspects together.
 bool namesTogether(const Judge& usual, const Judge& exact, const HeldOutGaps& gaps, const WhereResult& where,
                    Decision& decision, core::Progress& progress) {
   const Candidate first = decision.singles.front();
   const double left_by_first = deviationsLeft(exact, first);
-  const bool room = roomForASecond(exact, first, left_by_first) || leavesALaw(exact, where, first);
+  const bool room = roomForASecond(exact, first, left_by_first) || leavesAPlainLaw(exact, where, first);
   if (!room && !mayHideASecond(exact, first)) return false;
   const auto closely = room ? closeJudgeBeside(usual, exact, first, left_by_first) : nullptr;
   const Judge& quick = closely ? closely->judge : usual;

@@ -161,6 +161,17 @@ TEST(GapPage, OfBeamsThatJudgeDoesNotSayThatNoFitSawTheSamples) {
   EXPECT_THAT(html, HasSubstr("one half of the beams took no part"));
 }
 
+TEST(GapPage, OfACauseThatMayShrinkNoPooledGapSaysWhyItIsNamedAllTheSame) {
+  gap::Diagnosis d = fogDiagnosis();
+  d.verdict.evidence.explained = 0.84;
+  d.shrink = {0.04, {-0.7, 0.74}};
+  EXPECT_THAT(gap::reportHtml(d), HasSubstr("Beam by beam the cause explains 84 % of what differs. Pooled over all"));
+  d.shrink = {0.04, {0.01, 0.74}};
+  EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("Beam by beam the cause explains"))) << "it shrinks beyond luck";
+  d.shrink = {0.6, {-0.1, 0.74}};
+  EXPECT_THAT(gap::reportHtml(d), Not(HasSubstr("Beam by beam the cause explains"))) << "it shrinks by about as much";
+}
+
 TEST(GapPage, OfNoGapSaysSoAndSearchesForNoCause) {
   const std::string html = gap::reportHtml(plainDiagnosis(gap::VerdictKind::kNone));
   expectSoundPage(html);

@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "gap/report/rest_wording.h"
-#include "tests/gap/small_world.h"
+#include "tests/gap/measured_wall.h"
 
 namespace {
 
@@ -142,6 +142,30 @@ TEST(Wording, PartsOfTheReceivedPowerAreSaidInPerCent) {
   EXPECT_EQ(gap::patternText(law),
             "The mean of the intensity, measured minus simulated, follows (0.2 − 0.11·azimuth_deg) % of the received "
             "power: 95 % of what is left there.");
+}
+
+class LawLeft : public test_support::MeasuredWall {
+ protected:
+  /// By an offset of 2 cm, which is said to explain so much, of the cells and of the total gap.
+  [[nodiscard]] bool leavesOne(double explained) const {
+    gap::Candidate offset = with("range-offset", {0.02});
+    offset.explained = explained;
+    offset.total_left = 1.0 - explained;
+    const gap::WhereResult before = gap::whereIn(*replay_, replay_->baseline(), split_.fitted.seed);
+    return gap::leavesAPlainLaw(judge(), before, offset);
+  }
+};
+
+// A clock that is too fast by 0.04 % makes 3 mm at 8 m and 18 mm at 46 m.
+TEST_F(LawLeft, ByOneOfTwoCausesIsWhatTheOtherDoes) {
+  measure({{"range-offset", {{"offset_m", 0.02}}}, {"clock-drift", {{"scale_ppm", 400}}}});
+  EXPECT_TRUE(leavesOne(0.9));
+  EXPECT_FALSE(leavesOne(0.97)) << "so little is no second cause";
+}
+
+TEST_F(LawLeft, ByTheOnlyCauseIsNone) {
+  measure({{"range-offset", {{"offset_m", 0.02}}}});
+  EXPECT_FALSE(leavesOne(0.9));
 }
 
 }  // namespace
