@@ -126,8 +126,7 @@ std::string whyItShrinksSoLittle(const Diagnosis& diagnosis) {
   if (shrink.interval.low > 0.0 || of_beams < shrink.fraction + kFarMore) return "";
   return fmt::format(
       " Beam by beam the cause explains {} of what differs. Pooled over all beams, a few far echoes, set-ups and "
-      "chance "
-      "decide as much: a repetition may show more, or that the gap does not shrink.",
+      "chance decide as much: a repetition may show more, or that the gap does not shrink.",
       percent(of_beams));
 }
 
@@ -141,8 +140,8 @@ std::string shrinkText(const Diagnosis& diagnosis) {
         "with {}; pooled data hide what evens out between beams.",
         core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged);
   return fmt::format(
-      "By {} (90 % interval {}), from {} to {}, on {}{}. 100 % would be perfect agreement, which noise does not "
-      "allow.{}",
+      "By {} (90 % interval {}), from {} to {}, on {}{}. "
+      "100 % would be perfect agreement, which noise does not allow.{}",
       percent(diagnosis.shrink.fraction), percentInterval(diagnosis.shrink.interval),
       core::significant(diagnosis.before.total), core::significant(diagnosis.after->total), judged,
       beside.empty() ? "" : fmt::format(", with the {} corrected as well", causeTitle(diagnosis, beside.front())),

@@ -48,8 +48,6 @@ TEST(Where, TellsMissingEchoesPerShot) {
   EXPECT_GT(maps, 0U);
 }
 
-// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
-// high by chance are no stratum in which the model is wrong.
 TEST(Where, TablesOffEdgesHoldAllBeamsButThoseThatAnEdgeCuts) {
   test_support::SmallWorld world;
   world.withAWallOf(2.0);
@@ -70,6 +68,8 @@ TEST(Where, TablesOffEdgesHoldAllBeamsButThoseThatAnEdgeCuts) {
   }
 }
 
+// Echo pulse widths scatter by 0.8 m in place of 0.05 m, about the same means. Beams whose width came out
+// high by chance are no stratum in which the model is wrong.
 TEST(Where, AValueThatCameOutHighIsNoPlaceWhereTheModelIsTooLow) {
   const test_support::SmallWorld world;
   const auto truth = test_support::SmallWorld::modelWith({}, {{"/sensor/detection/epw_noise_m", 0.8}});
