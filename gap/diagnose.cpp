@@ -239,7 +239,8 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   auto [quick, exact, decision] = ruleOn({quickly, first.split, yardstickOf(quickly, first.split.held_out)}, first,
                                          gaps, clear, where, hypotheses, options.without, progress);
   diagnosis.weak_hold_out = exact.split.weak;
-  const std::optional<FrameMode> frames = frameModeOf(exact, winnersWorld(exact.replay, decision));
+  const auto frames =
+      frameModeOf(exact, decision.winner ? std::optional(winnersWorld(exact.replay, decision)) : std::nullopt);
   heedFrames(exact, frames, decision);
   const std::optional<UnevenLoss> uneven_loss = heedLosses(exact, decision);
   diagnosis.background = backgroundOf(replay, exact.split, decision);

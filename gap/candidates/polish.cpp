@@ -8,6 +8,7 @@
 #include "gap/candidates/scouted_samples.h"
 #include "gap/candidates/suggested.h"
 #include "gap/candidates/valleys.h"
+#include "gap/candidates/whole_gap.h"
 
 namespace gap {
 
@@ -72,10 +73,6 @@ struct Polisher {
   const WhereResult& where;
   const core::Progress& progress;
 
-  void hear(Candidate& candidate) const {
-    candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
-    judge.hear(candidate);
-  }
   [[nodiscard]] std::size_t hearLeaders(std::vector<Candidate>& candidates) const;
   void refineFirst(std::span<Candidate> leaders) const;
 };
@@ -91,7 +88,8 @@ std::size_t Polisher::hearLeaders(std::vector<Candidate>& candidates) const {
   while (leads(leaders)) {
     const std::size_t heard = leaders;
     while (leads(leaders)) ++leaders;
-    core::parallelFor(leaders - heard, 1, [&](std::size_t c, std::size_t) { hear(candidates[heard + c]); });
+    core::parallelFor(leaders - heard, 1,
+                      [&](std::size_t c, std::size_t) { hearOnTotal(judge, gaps, candidates[heard + c]); });
     std::stable_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(leaders), better);
   }
   return leaders;
@@ -110,7 +108,7 @@ void Polisher::refineFirst(std::span<Candidate> leaders) const {
   core::parallelFor(first.size(), 1, [&](std::size_t c, std::size_t) {
     Candidate& candidate = first[c];
     candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, mayLead(candidate), progress);
-    hear(candidate);
+    hearOnTotal(judge, gaps, candidate);
   });
   std::stable_sort(leaders.begin(), leaders.end(), better);
 }

@@ -10,6 +10,11 @@ constexpr double kMostBesideNoise = 0.5;  // of the total gap
 
 }  // namespace
 
+void hearOnTotal(const Judge& judge, const HeldOutGaps& gaps, Candidate& candidate) {
+  candidate.total_left = gaps.leftIn(worldOf(judge.replay, candidate.hypothesis, candidate.values));
+  judge.hear(candidate);
+}
+
 double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate) {
   return gaps.aboveNoise() * candidate.total_left;
 }

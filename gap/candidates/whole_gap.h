@@ -15,6 +15,10 @@ inline constexpr double kNearlyAllCells = 0.95;
 /// Of the total gap, noise and all: two causes that leave more are not the causes.
 inline constexpr double kMostRestOfPair = 0.5;
 
+/// Says of a candidate, with the values that it has, what the held-out data say of it: of the total gap first, which
+/// counts in its merit, then cell by cell (Judge::hear).
+void hearOnTotal(const Judge& judge, const HeldOutGaps& gaps, Candidate& candidate);
+
 /// What a candidate leaves of the total gap, as a share of all of it: of a gap that is mostly noise a right cause takes
 /// little, and `total_left` is guesswork.
 [[nodiscard]] double restOfWholeGap(const HeldOutGaps& gaps, const Candidate& candidate);

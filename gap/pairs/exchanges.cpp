@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "gap/candidates/whole_gap.h"
 #include "gap/candidates/world_to_make.h"
 #include "gap/causes/starts.h"
-#include "gap/far/how_far.h"
 #include "gap/pairs/leading_pairs.h"
 #include "gap/pairs/partners.h"
 #include "gap/pairs/same_sector.h"
@@ -167,8 +167,7 @@ void exchangeMembersOf(const Candidate& pair, const Judge& quick, const Judge& e
       Candidate& other = others[i];
       if (other.merit < least_merit) return;
       other.values = search(exact.replay, other.hypothesis, exact.split.refined, other.values, progress);
-      other.total_left = gaps.leftIn(worldOf(exact.replay, other.hypothesis, other.values));
-      exact.hear(other);
+      hearOnTotal(exact, gaps, other);
     });
   };
   refineBy(refineBriefly, -std::numeric_limits<double>::infinity());

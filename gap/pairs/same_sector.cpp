@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "gap/candidates/polish.h"
-#include "gap/far/how_far.h"
+#include "gap/candidates/whole_gap.h"
 
 namespace gap {
 
@@ -71,8 +71,7 @@ void shareTheSector(const Judge& exact, const HeldOutGaps& gaps, const WhereResu
   std::vector<Candidate> moved = inSectorOf(singles.front(), singles);
   for (Candidate& candidate : moved) {
     core::stopIfCancelled(progress);
-    candidate.total_left = gaps.leftIn(worldOf(exact.replay, candidate.hypothesis, candidate.values));
-    exact.hear(candidate);
+    hearOnTotal(exact, gaps, candidate);
   }
   std::erase_if(moved, [&](const Candidate& one) { return !better(one, singles[placeOfForm(singles, one)]); });
   if (moved.empty()) return;

@@ -112,10 +112,7 @@ bool mayHideASecond(const Judge& judge, const Candidate& best) {
 
 Candidate betterMember(const Judge& exact, const HeldOutGaps& gaps, const Candidate& pair) {
   std::vector<Candidate> members = membersOf(pair);
-  for (Candidate& member : members) {
-    member.total_left = gaps.leftIn(worldOf(exact.replay, member.hypothesis, member.values));
-    exact.hear(member);
-  }
+  for (Candidate& member : members) hearOnTotal(exact, gaps, member);
   sortByMerit(members);
   return members.front();
 }

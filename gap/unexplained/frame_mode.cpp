@@ -190,7 +190,7 @@ bool explainsTheirMean(const Judge& judge, const FrameMode& frames, const World&
   return frames.span_in_all_samples > kGoodPart * own * replay.resolution(frames.channel);
 }
 
-std::optional<FrameMode> frameModeOf(const Judge& judge, const World& with_cause) {
+std::optional<FrameMode> frameModeOf(const Judge& judge, const std::optional<World>& with_cause) {
   const Replay& replay = judge.replay;
   if (replay.samples().front().layout->pooled()) return std::nullopt;
   FrameMode mode;
@@ -198,7 +198,8 @@ std::optional<FrameMode> frameModeOf(const Judge& judge, const World& with_cause
   for (const Channel channel : replay.channels()) {
     Seen seen = seenIn(replay, channel);
     if (seen.z < kStandsOut || seen.z <= mode.z) continue;
-    if (deviateIn(replay, replay.baseline(), channel) || deviateIn(replay, with_cause, channel)) continue;
+    if (deviateIn(replay, replay.baseline(), channel)) continue;
+    if (with_cause && deviateIn(replay, *with_cause, channel)) continue;
     mode.channel = channel;
     mode.z = seen.z;
     mode.stddev = seen.stddev;

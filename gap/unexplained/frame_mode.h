@@ -21,8 +21,8 @@ struct FrameMode {
 };
 
 /// On all samples, its share on those held out; nothing where it does not stand out beyond doubt, or does so in the
-/// baseline or with the cause as well: clouds of spray are new in every frame.
-[[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge, const World& with_cause);
+/// baseline or with the cause, if one is named, as well: clouds of spray are new in every frame.
+[[nodiscard]] std::optional<FrameMode> frameModeOf(const Judge& judge, const std::optional<World>& with_cause);
 
 /// Whether a cause, which is the same in all frames, mostly moves the channel in which frames deviate alike in all
 /// samples, and moves it by so little that they deviate by a good part of that: then it is their mean that it explains.

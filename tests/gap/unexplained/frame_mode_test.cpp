@@ -33,8 +33,8 @@ class Frames : public testing::Test {
                                                      const SmallWorld::Effects& cause = {}) const {
     const gap::Replay replay(experiment, model_);
     const gap::Split split = gap::splitOf(replay, 1);
-    gap::World with_cause = replay.baseline();
-    if (!cause.empty()) with_cause.model = SmallWorld::modelWith(cause);
+    std::optional<gap::World> with_cause;
+    if (!cause.empty()) with_cause.emplace(replay.baseline()).model = SmallWorld::modelWith(cause);
     return gap::frameModeOf({replay, split, gap::yardstickOf(replay, split.held_out)}, with_cause);
   }
 
