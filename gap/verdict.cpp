@@ -25,8 +25,9 @@ namespace {
 constexpr double kWeakBelief = 0.9;     // of the belief, if no whole sample could be held out
 constexpr double kLeastNamed = 0.7;     // of a cause that is named alone and tied with none, however little it explains
 constexpr double kUnknownBelief = 0.7;  // that no cause of the library is at work, where none was found good enough
-constexpr double kByMeansAlone = 0.5;   // of the belief in two causes that leave too much of single cells
-constexpr double kAnywhere = 0.6;       // of the belief in what may be where and as large as it has to be
+constexpr double kUnknownOfSmall = 0.4;  // the same of a gap hardly above noise
+constexpr double kByMeansAlone = 0.5;    // of the belief in two causes that leave too much of single cells
+constexpr double kAnywhere = 0.6;        // of the belief in what may be where and as large as it has to be
 constexpr double kBesideFrames = 0.7;  // of the belief in a cause, where frames deviate, too: something else is at work
 constexpr double kNoneBelief = 0.85;   // that nothing is missing, where nothing is seen: weak causes are not
 constexpr double kMostExplained = 10.0;  // said of a share: where there is next to nothing to explain, it says nothing
@@ -191,7 +192,7 @@ void fillVerdict(const Judge& judge, const Decision& decision, Diagnosis& diagno
     const double p_value = judge.yardstick.p_value();
     verdict.confidence = p_value >= kSignificance ? beliefInNone(p_value) : kNoneBelief;
   } else {
-    verdict.confidence = kUnknownBelief;
+    verdict.confidence = judge.yardstick.z() < Yardstick::kClear_z ? kUnknownOfSmall : kUnknownBelief;
     verdict.nearest_pair = nearestPairIn(decision);
     for (Cause& cause : diagnosis.causes) cause.confidence *= 1.0 - verdict.confidence;
   }

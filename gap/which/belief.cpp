@@ -20,7 +20,8 @@ double beliefIn(const Yardstick& yardstick, double accounted_for, CauseKind kind
     double width;  // of that share: from such a cause to one that is hardly ever wrong
   };
   Curve curve{0.65, 0.1};
-  if (yardstick.z() < Yardstick::kClear_z) curve = {0.77, 0.15};  // of a small gap chance explains a share, too
+  if (yardstick.z() < Yardstick::kClear_z)  // of a small gap chance explains a share, too: most easily with one number
+    curve = kind == CauseKind::kParameter ? Curve{0.77, 0.15} : Curve{0.7, 0.12};
   if (kind == CauseKind::kReference) curve = {0.3, 0.1};
   return kMostBelief / (1.0 + std::exp((curve.even - accounted_for) / curve.width));
 }

@@ -8,7 +8,8 @@
 namespace gap {
 
 /// Belief that causes of a kind which account for so much of the gap (Judge::accountedFor) are among themselves the
-/// right one: less where the gap is small, more in wrong references, which other causes seldom pose as.
+/// right one: less where the gap is small (in wrong parameters most of all), more in wrong references, which other
+/// causes seldom pose as.
 [[nodiscard]] double beliefIn(const Yardstick& yardstick, double accounted_for, CauseKind kind);
 
 /// Share of the belief in a pair that one of its members has, or one that may stand in a member's place.
