@@ -68,7 +68,6 @@ Diagnosis withoutCauses(const Judge& judge, const HeldOutGaps& gaps, const Where
   diagnosis.where = where.rows;
   for (const std::size_t s : judge.split.held_out.samples)
     diagnosis.held_out.push_back(judge.replay.samples()[s].sample->id);
-  diagnosis.p_value = judge.yardstick.p_value();
   diagnosis.before = gaps.before();
   diagnosis.bias_intervals = gaps.biasIntervals();
   return diagnosis;
@@ -223,12 +222,13 @@ Diagnosis diagnose(const model::Experiment& recorded, const model::LidarModel& g
   if (!few_beams->thinned()) few_beams.reset();
   progress.report(0.05, "comparing with the baseline");
   // Whoever decides, the samples that this one holds out say how far the gap shrinks.
-  Judge first = judgeOf(replay, seed, options.without);
+  auto [first, p_value] = judgeOf(replay, seed, options.without);
   const WhereResult where = whereIn(replay, replay.baseline(), seed);
   const HeldOutGaps gaps(replay, first.split.held_out.samples, seed);
   first.weight_of_total = kWeightOfTotal * gaps.aboveNoise();
 
   Diagnosis diagnosis = withoutCauses(first, gaps, where);
+  diagnosis.p_value = p_value;
   diagnosis.experiment = experiment.id;
   diagnosis.model = given.id;
   diagnosis.synthetic = experiment.synthetic();

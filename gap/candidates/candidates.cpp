@@ -19,7 +19,7 @@ Split Judge::splitFor(const Hypothesis& hypothesis) const {
 
 void Judge::hear(Candidate& candidate) const {
   const World world = worldOf(replay, candidate.hypothesis, candidate.values);
-  const SimulatedWorld simulated(replay, world, split.held_out);
+  const SimulatedWorld simulated(replay, world, split.held_out, Yardstick::kSimulations);
   const double self = simulated.discrepancyTo(measuredIn(replay, world, split.held_out, split.held_out.seed + 2000));
   candidate.discrepancy = simulated.discrepancy();
   candidate.explained = yardstick.explained(candidate.discrepancy, self);

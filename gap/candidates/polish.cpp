@@ -75,6 +75,7 @@ struct Polisher {
 
   [[nodiscard]] std::size_t hearLeaders(std::vector<Candidate>& candidates) const;
   void refineFirst(std::span<Candidate> leaders) const;
+  void takeBackWhatIsOpen(const Candidate& before, Candidate& refined) const;
 };
 
 /// How many leaders there are, once all beams judge them, best first: they may say less of the first ones than few
@@ -95,6 +96,23 @@ std::size_t Polisher::hearLeaders(std::vector<Candidate>& candidates) const {
   return leaders;
 }
 
+/// Puts numbers back where they were that the fitted samples leave open, to less than a number costs, if held-out ones
+/// like that better: a gate that only a held-out wall shows goes anywhere while another number is refined.
+void Polisher::takeBackWhatIsOpen(const Candidate& before, Candidate& refined) const {
+  const Evidence evidence = judge.splitFor(refined.hypothesis).refined;
+  const auto distance = [&](const std::vector<double>& values) {
+    return discrepancyOf(judge.replay, worldOf(judge.replay, refined.hypothesis, values), evidence);
+  };
+  const double most = distance(refined.values) + Judge::kNatsPerNumber;
+  for (std::size_t i = 0; i < refined.values.size(); ++i) {
+    Candidate back = refined;
+    back.values[i] = before.values[i];
+    if (back.values == refined.values || distance(back.values) > most) continue;
+    hearOnTotal(judge, gaps, back);
+    if (better(back, refined)) refined = std::move(back);
+  }
+}
+
 /// Better values of the first leaders, and all in order again.
 void Polisher::refineFirst(std::span<Candidate> leaders) const {
   const bool pairs = !leaders.front().hypothesis.members.empty();
@@ -107,8 +125,10 @@ void Polisher::refineFirst(std::span<Candidate> leaders) const {
   if (!pairs && std::any_of(first.begin(), first.end(), Valleys::mayHelp)) valleys.emplace(judge);
   core::parallelFor(first.size(), 1, [&](std::size_t c, std::size_t) {
     Candidate& candidate = first[c];
+    const Candidate before = candidate;
     candidate.values = refinedOf(judge, candidate, where, valleys ? &*valleys : nullptr, mayLead(candidate), progress);
     hearOnTotal(judge, gaps, candidate);
+    if (better(before, candidate) && !candidate.hypothesis.per_setup) takeBackWhatIsOpen(before, candidate);
   });
   std::stable_sort(leaders.begin(), leaders.end(), better);
 }

@@ -32,15 +32,20 @@ double Yardstick::p_value() const { return upperTail(z(), kNullRuns); }
 Yardstick yardstickOf(const Replay& replay, const Evidence& held_out) {
   Yardstick yardstick;
   const World& world = replay.baseline();
-  const SimulatedWorld simulated(replay, world, held_out);
+  const SimulatedWorld simulated(replay, world, held_out, Yardstick::kSimulations);
   yardstick.baseline = simulated.discrepancy();
-  std::vector<double> runs(kNullRuns);
-  core::parallelFor(kNullRuns, 1, [&](std::size_t begin, std::size_t) {
-    runs[begin] = simulated.discrepancyTo(measuredIn(replay, world, held_out, held_out.seed + 1000 + begin));
+  std::vector<std::vector<double>> runs(simulated.simulations(), std::vector<double>(kNullRuns));
+  core::parallelFor(kNullRuns, 1, [&](std::size_t run, std::size_t) {
+    const Measured measured = measuredIn(replay, world, held_out, held_out.seed + 1000 + run);
+    for (std::size_t k = 0; k < runs.size(); ++k) runs[k][run] = simulated.discrepancyTo(measured, k);
   });
-  const Distribution perfect(runs);
-  yardstick.perfect = perfect.mean;
-  yardstick.perfect_spread = perfect.stddev;
+  double variance = 0.0;
+  for (const std::vector<double>& of_one : runs) {
+    const Distribution perfect(of_one);
+    yardstick.perfect += perfect.mean / static_cast<double>(runs.size());
+    variance += perfect.stddev * perfect.stddev / static_cast<double>(runs.size());
+  }
+  yardstick.perfect_spread = std::sqrt(variance);
   return yardstick;
 }
 

@@ -6,11 +6,12 @@ namespace gap {
 
 /// Discrepancies that candidates are measured against.
 struct Yardstick {
-  static constexpr double kClear_z = 5.0;  ///< standard deviations of noise: a gap beyond doubt
+  static constexpr double kClear_z = 5.0;         ///< standard deviations of noise: a gap beyond doubt
+  static constexpr std::size_t kSimulations = 4;  ///< of every world that is measured against them
 
-  double baseline = 0.0;  ///< of the model as it was brought, held-out
-  double perfect = 0.0;   ///< of a model that is right but for noise
-  double perfect_spread = 0.0;
+  double baseline = 0.0;        ///< of the model as it was brought, held-out
+  double perfect = 0.0;         ///< of a model that is right but for noise
+  double perfect_spread = 0.0;  ///< of one simulation: programs differ, too, and more runs would make that a gap
 
   /// What there is to explain; no less than its noise, so that shares of next to nothing stay numbers.
   [[nodiscard]] double whole() const;

@@ -72,15 +72,33 @@ Measured measuredIn(const Replay& replay, const World& truth, const Evidence& ev
   return measured;
 }
 
-SimulatedWorld::SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence)
-    : replay_(replay), world_(world), part_(evidence.part), comparisons_(comparisonsOf(replay, world, evidence)) {}
+SimulatedWorld::SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence,
+                               std::size_t simulations)
+    : replay_(replay), world_(world), part_(evidence.part) {
+  constexpr std::uint64_t kStep = 10007;  // far from the seeds of what is drawn
+  Evidence under = evidence;
+  for (std::size_t k = 0; k < simulations; ++k) {
+    simulations_.push_back(comparisonsOf(replay, world, under));
+    under.seed += kStep;
+  }
+}
 
-double SimulatedWorld::discrepancy() const { return settled(replay_, world_, comparisons_, part_); }
+double SimulatedWorld::discrepancy() const {
+  double sum = 0.0;
+  for (const std::vector<Comparison>& comparisons : simulations_) sum += settled(replay_, world_, comparisons, part_);
+  return sum / static_cast<double>(simulations());
+}
 
-double SimulatedWorld::discrepancyTo(const Measured& measured) const {
-  std::vector<Comparison> comparisons = comparisons_;
+double SimulatedWorld::discrepancyTo(const Measured& measured, std::size_t simulation) const {
+  std::vector<Comparison> comparisons = simulations_[simulation];
   for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].measured = measured[i];
   return settled(replay_, world_, std::move(comparisons), part_);
+}
+
+double SimulatedWorld::discrepancyTo(const Measured& measured) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < simulations(); ++k) sum += discrepancyTo(measured, k);
+  return sum / static_cast<double>(simulations());
 }
 
 double discrepancyOf(const Replay& replay, const World& world, const Evidence& evidence) {

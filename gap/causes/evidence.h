@@ -29,21 +29,25 @@ using Measured = std::vector<std::vector<CellStatistics>>;
 [[nodiscard]] Measured measuredIn(const Replay& replay, const World& truth, const Evidence& evidence,
                                   std::uint64_t seed);
 
-/// A world simulated once on some evidence, and how far it is from any measurement of these samples. Replay and world
+/// A world simulated on some evidence, and how far it is from any measurement of these samples: on the mean of several
+/// simulations, where of causes that make a few echoes one simulation would tell its own noise. Replay and world
 /// outlive it.
 class SimulatedWorld {
  public:
-  SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence);
+  SimulatedWorld(const Replay& replay, const World& world, const Evidence& evidence, std::size_t simulations = 1);
   /// From what was measured.
   [[nodiscard]] double discrepancy() const;
   /// From another measurement of the evidence's samples.
   [[nodiscard]] double discrepancyTo(const Measured& measured) const;
+  /// The same in one of the simulations.
+  [[nodiscard]] double discrepancyTo(const Measured& measured, std::size_t simulation) const;
+  [[nodiscard]] std::size_t simulations() const noexcept { return simulations_.size(); }
 
  private:
   const Replay& replay_;
   const World& world_;
   Part part_;
-  std::vector<Comparison> comparisons_;
+  std::vector<std::vector<Comparison>> simulations_;
 };
 
 /// An evidence's samples as they were measured, beside a world under the evidence's seed.

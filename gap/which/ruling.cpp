@@ -94,10 +94,15 @@ bool mayHideInHeldOut(const Judge& judge, const Decision& decision) {
 
 }  // namespace
 
-Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
+FirstLook judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without) {
+  constexpr double kParts = 2.0;
   const Split by_samples = without.applied(splitOf(replay, seed));
   const Judge judge{replay, by_samples, yardstickOf(replay, by_samples.held_out)};
-  return gapOf(judge).inOnePartOnly() ? judgeByBeams(replay, seed, without) : judge;
+  const Yardstick of_fitted = yardstickOf(replay, by_samples.fitted);
+  const double by_chance = judge.yardstick.p_value();
+  if (!PartDeviations{judge.yardstick.z(), of_fitted.z()}.inOnePartOnly()) return {judge, by_chance};
+  const Judge by_beams = judgeByBeams(replay, seed, without);
+  return {by_beams, std::min(by_beams.yardstick.p_value(), kParts * std::min(by_chance, of_fitted.p_value()))};
 }
 
 Ruling ruleOn(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps, bool clear, const WhereResult& where,

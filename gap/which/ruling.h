@@ -8,9 +8,15 @@
 
 namespace gap {
 
+/// Who judges, and whether there is anything to judge.
+struct FirstLook {
+  Judge judge;
+  double p_value = 1.0;  ///< of so large a gap by chance
+};
+
 /// Samples judge; or every second beam of all samples, if the gap shows in held-out samples only, or in the
-/// others only.
-[[nodiscard]] Judge judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without);
+/// others only. It is beyond doubt then, however much the beams of all samples hide it.
+[[nodiscard]] FirstLook judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without);
 
 /// What was decided, and who judged.
 struct Ruling {

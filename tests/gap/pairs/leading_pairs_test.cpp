@@ -51,6 +51,17 @@ TEST_F(LeadingPairs, APairTakesTheBetterValuesThatItsMembersHaveAlone) {
   EXPECT_EQ(pairs.front().values, gap::pairOf(offset_, dirt_).values);
 }
 
+// A gate that few beams led astray had a merit of theirs that the right one, judged by all, did not reach.
+TEST_F(LeadingPairs, WhatFewBeamsSayOfAPairKeepsNoBetterValuesOut) {
+  gap::Candidate led_astray = judged(gap::pairOf(dirt_, with("range-offset", {0.08})));
+  led_astray.merit = 5.0;
+  std::vector<gap::Candidate> pairs{led_astray, judged(gap::pairOf(offset_, drift_))};
+  gap::joinLeaders(judge_, {offset_, dirt_}, pairs, core::SilentProgress());
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs.front().values, gap::pairOf(offset_, dirt_).values);
+  EXPECT_EQ(pairs.front().merit, 5.0) << "its place in the list is as it was";
+}
+
 TEST_F(LeadingPairs, ThePairThatIsNearestToTheFittedSamplesNeedNotLead) {
   const gap::Candidate wrong = gap::pairOf(offset_, drift_), right = gap::pairOf(offset_, dirt_);
   for (const auto& pairs : {std::vector{wrong, right}, std::vector{right, wrong}})
