@@ -97,7 +97,7 @@ std::size_t Polisher::hearLeaders(std::vector<Candidate>& candidates) const {
 }
 
 /// Puts numbers back where they were that the fitted samples leave open, to less than a number costs, if held-out ones
-/// like that better: a gate that only a held-out wall shows goes anywhere while another number is refined.
+/// like that better by as much: a gate that only a held-out wall shows goes anywhere while another number is refined.
 void Polisher::takeBackWhatIsOpen(const Candidate& before, Candidate& refined) const {
   const Evidence evidence = judge.splitFor(refined.hypothesis).refined;
   const auto distance = [&](const std::vector<double>& values) {
@@ -109,7 +109,8 @@ void Polisher::takeBackWhatIsOpen(const Candidate& before, Candidate& refined) c
     back.values[i] = before.values[i];
     if (back.values == refined.values || distance(back.values) > most) continue;
     hearOnTotal(judge, gaps, back);
-    if (better(back, refined)) refined = std::move(back);
+    const bool nearer = back.discrepancy < refined.discrepancy - Judge::kNatsPerNumber;
+    if (nearer && better(back, refined)) refined = std::move(back);
   }
 }
 
