@@ -21,9 +21,12 @@ struct Offset {
   std::vector<std::pair<Comparison*, const Tolerance*>> moves;
 };
 
-bool movedBy(const World& world, const std::string& pointer) {
-  return std::any_of(world.references.begin(), world.references.end(),
-                     [&](const ReferenceOffset& reference) { return reference.pointer == pointer; });
+/// Whether the world says of every set-up by itself where a quantity stands. One that is off by as much everywhere may
+/// still stand anywhere around that within its interval.
+bool placedBySetup(const World& world, const std::string& pointer) {
+  return std::any_of(world.references.begin(), world.references.end(), [&](const ReferenceOffset& reference) {
+    return reference.pointer == pointer && !reference.by_setup.empty();
+  });
 }
 
 std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::span<Comparison> comparisons) {
@@ -31,7 +34,7 @@ std::vector<Offset> offsetsOf(const Replay& replay, const World& world, std::spa
   for (Comparison& comparison : comparisons) {
     const ReplaySample& sample = replay.samples()[comparison.sample];
     for (const Tolerance& tolerance : sample.tolerances) {
-      if (movedBy(world, tolerance.pointer)) continue;
+      if (placedBySetup(world, tolerance.pointer)) continue;
       const auto known = offsets
                              .try_emplace({sample.sample->setup, tolerance.pointer},
                                           Offset{tolerance.low, tolerance.high, tolerance.variance(), 0.0, {}})

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <string>
 
 #include "gap/causes/split.h"
 #include "tests/gap/small_world.h"
@@ -38,6 +40,27 @@ TEST(Settle, DrawsAPlaceOfItsOwnForEverySetUp) {
   }
   EXPECT_GT(std::abs(together_m[0] - together_m[1]), 1e-3);
   EXPECT_GT(std::abs(together_m[1] - together_m[2]), 1e-3);
+}
+
+// 30 mm everywhere, and 10 mm more or less by set-up: who measured the place wrongly did not set it up better.
+TEST(Settle, LetsAReferenceThatIsOffEverywhereScatterAroundThat) {
+  SmallWorld world;
+  world.knownToWithin(0.012);
+  const auto measured =
+      world.measuredBy(SmallWorld::modelWith({}), 0.4,
+                       {{"r8", 0.04}, {"r13", 0.02}, {"r19", 0.04}, {"r27", 0.02}, {"r36", 0.02}, {"r46", 0.04}});
+  const gap::Replay replay(measured, SmallWorld::modelWith({}));
+  const gap::Evidence fitted = gap::splitOf(replay, 1).fitted;
+  const auto movedBy = [&](const std::map<std::string, double>& more_m) {
+    gap::World moved = replay.baseline();
+    moved.references.push_back({"/scene/0/pose/position_m/0", 0.03, more_m});
+    return gap::discrepancyOf(replay, moved, fitted);
+  };
+  const double everywhere = movedBy({});
+  const double by_setup = movedBy({{"r8", 0.01}, {"r13", -0.01}, {"r27", -0.01}, {"r46", 0.01}});
+  const double price = 4 * 0.01 * 0.01 / (2.0 * 0.024 * 0.024 / 12.0);  // of an interval of 24 mm
+  const double first_order = 0.02 * gap::discrepancyOf(replay, replay.baseline(), fitted);
+  EXPECT_NEAR(everywhere, by_setup + price, first_order);
 }
 
 /// A false target as wide as the scan, so far away.
