@@ -12,15 +12,16 @@ namespace {
 
 constexpr double kMuchClearer = 3.0;      // so much more must one part of the samples show than the other
 constexpr double kFarClearer = 10.0;      // the same where nothing was named: to look again costs time alone
+constexpr double kPresent_z = 4.1;        // of one of two parts: a gap has p < 0.001 (twice that of Student's t of 20)
 constexpr double kHardlyByChance = 0.01;  // of a gap that is not beyond doubt: a second search is worth its time
 
 /// Deviations of the two parts of the samples, in standard deviations.
 struct PartDeviations {
   double held_out_z, fitted_z;
 
-  /// Whether it is beyond doubt in one part, and far from it in the other.
-  [[nodiscard]] bool inOnePartOnly() const {
-    return most() >= Yardstick::kClear_z && least() < std::min(Yardstick::kClear_z, most() / kMuchClearer);
+  /// Whether one part shows it, if so many standard deviations do, and the other is far from that.
+  [[nodiscard]] bool inOnePartOnly(double shown_z = Yardstick::kClear_z) const {
+    return most() >= shown_z && least() < std::min(shown_z, most() / kMuchClearer);
   }
   /// Whether it is so much larger in one part that what acts in the other is hardly what makes it.
   [[nodiscard]] bool mostlyInOnePart() const { return most() >= Yardstick::kClear_z && least() < most() / kFarClearer; }
@@ -100,7 +101,7 @@ FirstLook judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& with
   const Judge judge{replay, by_samples, yardstickOf(replay, by_samples.held_out)};
   const Yardstick of_fitted = yardstickOf(replay, by_samples.fitted);
   const double by_chance = judge.yardstick.p_value();
-  if (!PartDeviations{judge.yardstick.z(), of_fitted.z()}.inOnePartOnly()) return {judge, by_chance};
+  if (!PartDeviations{judge.yardstick.z(), of_fitted.z()}.inOnePartOnly(kPresent_z)) return {judge, by_chance};
   const Judge by_beams = judgeByBeams(replay, seed, without);
   return {by_beams, std::min(by_beams.yardstick.p_value(), kParts * std::min(by_chance, of_fitted.p_value()))};
 }
