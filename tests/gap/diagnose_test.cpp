@@ -441,19 +441,19 @@ TEST(Diagnose, NamesTheEffectOfAFittedSampleThatDoesNothingInTheHeldOutOnes) {
   EXPECT_TRUE(diagnosis.weak_hold_out);
 }
 
-// 50.3 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
+// 50.37 mm take a hundredth or two of the light of the nearest wall alone, which no fitted sample sees: with the noise
 // of all held-out cells that is no gap beyond doubt, and no even search of the others leads there.
 TEST(Diagnose, NamesASmallEffectOfASingleHeldOutSample) {
   const auto narrow = SmallWorld::narrowView();
   const SmallWorld world;
-  const auto truth = SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.0503}}}}, narrow);
+  const auto truth = SmallWorld::modelWith({{"aperture-offset", {{"offset_m", 0.05037}}}}, narrow);
   const auto experiment = withRoles(
       world.measuredBy(truth, 0.4),
       {{"r8", model::Role::kPrediction}, {"r13", model::Role::kPrediction}, {"r36", model::Role::kValidation}});
   const gap::Diagnosis diagnosis =
       diagnosed(experiment, SmallWorld::modelWith({}, narrow), {"aperture-offset", "atmospheric-attenuation"});
   ASSERT_EQ(diagnosis.verdict.names, std::vector<std::string>{"aperture-offset"});
-  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.0503, 0.0003);
+  EXPECT_NEAR(diagnosis.causes.front().parameters[0].value, 0.05037, 0.0003);
   EXPECT_LT(diagnosis.verdict.evidence.gap_z, gap::Yardstick::kClear_z);
   EXPECT_TRUE(diagnosis.weak_hold_out);
 }
