@@ -147,8 +147,9 @@ void nameTheBest(const Judge& quick, const Judge& exact, const HeldOutGaps& gaps
   leadByPlainest(quick, exact, decision.singles);
   leadOnTotal(exact, gaps, enoughToName(exact.yardstick), decision.singles, progress);
   const Candidate& best = decision.singles.front();
+  const bool shown = best.explained > exact.yardstick.noiseOfShare();  // by its cells, beside the pooled gap
   const bool explains = best.hypothesis.seen_in_values || best.explained >= kNearlyAllCells ||
-                        exact.accountedFor(best) >= enoughToName(exact.yardstick) ||
+                        (shown && exact.accountedFor(best) >= enoughToName(exact.yardstick)) ||
                         (best.explained >= kWeakGap &&
                          nothingElse(significanceOf(exact, best, nullRunsOf(exact)), decision.singles.size()));
   const bool counted = showACounter(decision.singles);
