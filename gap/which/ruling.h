@@ -15,7 +15,7 @@ struct FirstLook {
 };
 
 /// Samples judge; or every second beam of all samples, if the gap shows in held-out samples only, or in the
-/// others only. It is beyond doubt then, however much the beams of all samples hide it.
+/// others only. It is there then, however much the beams of all samples hide it.
 [[nodiscard]] FirstLook judgeOf(const Replay& replay, std::uint64_t seed, const Ablation& without);
 
 /// What was decided, and who judged.
