@@ -26,8 +26,12 @@ void Judge::hear(Candidate& candidate) const {
   candidate.merit = meritOf(candidate);
 }
 
+double Judge::leftOn(const Evidence& evidence, const Hypothesis& hypothesis, const std::vector<double>& values) const {
+  return discrepancyOf(replay, worldOf(replay, hypothesis, values), evidence);
+}
+
 double Judge::leftOfFitted(const Hypothesis& hypothesis, const std::vector<double>& values) const {
-  return discrepancyOf(replay, worldOf(replay, hypothesis, values), split.fitted);
+  return leftOn(split.fitted, hypothesis, values);
 }
 
 double Judge::meritOf(const Candidate& candidate) const {

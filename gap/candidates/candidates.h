@@ -43,7 +43,10 @@ struct Judge {
   /// Explained share (half of it as it is, half excused for the world's own noise), less what is left of the total gap,
   /// less a price for every free number: it must earn its place.
   [[nodiscard]] double meritOf(const Candidate& candidate) const;
-  /// What a cause with these values leaves of the discrepancy of all that is fitted.
+  /// What a cause with these values leaves of the discrepancy of some evidence, in one simulation.
+  [[nodiscard]] double leftOn(const Evidence& evidence, const Hypothesis& hypothesis,
+                              const std::vector<double>& values) const;
+  /// The same of all that is fitted.
   [[nodiscard]] double leftOfFitted(const Hypothesis& hypothesis, const std::vector<double>& values) const;
   /// Share of the gap that a candidate accounts for, cell by cell and pooled, the pooled gap as far as it stands above
   /// noise. In [0, 1], but below 0 if it makes the cells worse.

@@ -23,7 +23,7 @@ constexpr double kNearlyAsGood = 0.3;  // in merit: farther behind no refinement
 std::vector<double> simplest(const Judge& judge, const Hypothesis& hypothesis, std::vector<double> values) {
   if (values.size() < 2) return values;
   const auto distance = [&](const std::vector<double>& at) {
-    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, at), judge.split.refined);
+    return judge.leftOn(judge.split.refined, hypothesis, at);
   };
   double known = distance(values);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -46,7 +46,7 @@ std::vector<double> refinedOf(const Judge& judge, const Candidate& candidate, co
   const auto refineBy = may_lead ? refine : refineBriefly;
   const Evidence evidence = judge.splitFor(candidate.hypothesis).refined;
   const auto distance = [&](const std::vector<double>& values, const Evidence& on) {
-    return discrepancyOf(judge.replay, worldOf(judge.replay, candidate.hypothesis, values), on);
+    return judge.leftOn(on, candidate.hypothesis, values);
   };
   std::vector<double> refined = refineBy(judge.replay, candidate.hypothesis, evidence, candidate.values, progress);
   if (!candidate.hypothesis.members.empty() || candidate.hypothesis.per_setup) return refined;
@@ -101,7 +101,7 @@ std::size_t Polisher::hearLeaders(std::vector<Candidate>& candidates) const {
 void Polisher::takeBackWhatIsOpen(const Candidate& before, Candidate& refined) const {
   const Evidence evidence = judge.splitFor(refined.hypothesis).refined;
   const auto distance = [&](const std::vector<double>& values) {
-    return discrepancyOf(judge.replay, worldOf(judge.replay, refined.hypothesis, values), evidence);
+    return judge.leftOn(evidence, refined.hypothesis, values);
   };
   const double most = distance(refined.values) + Judge::kNatsPerNumber;
   for (std::size_t i = 0; i < refined.values.size(); ++i) {

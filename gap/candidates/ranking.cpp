@@ -49,9 +49,7 @@ std::vector<double> fittedOf(const Judge& judge, const Hypothesis& hypothesis, c
   const auto fit = [&](const std::vector<double>& start) {
     return fitFrom(judge.replay, hypothesis, evidence, start, progress);
   };
-  const auto distance = [&](const std::vector<double>& values) {
-    return discrepancyOf(judge.replay, worldOf(judge.replay, hypothesis, values), evidence);
-  };
+  const auto distance = [&](const std::vector<double>& values) { return judge.leftOn(evidence, hypothesis, values); };
   std::vector<double> fitted = fit(scouted);
   const Evidence few = spreadOver(evidence, kScoutedSamples, evidence.most_frames);
   const std::vector<double> suggested =
