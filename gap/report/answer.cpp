@@ -19,20 +19,39 @@ namespace {
 
 constexpr double kSureEnough = 0.9;  // above it nobody is sent to measure again
 
+Html causeBadge(CauseKind kind) {
+  switch (kind) {
+    case CauseKind::kEffect:
+      return report::badge("missing effect", Tone::Bad);
+    case CauseKind::kParameter:
+      return report::badge("wrong parameter", Tone::Bad);
+    case CauseKind::kReference:
+      break;
+  }
+  return report::badge("wrong reference data", Tone::Bad);
+}
+
 Html verdictBadge(VerdictKind kind) {
   switch (kind) {
     case VerdictKind::kNone:
       return report::badge("no gap", Tone::Good);
     case VerdictKind::kEffect:
-      return report::badge("missing effect", Tone::Bad);
+      return causeBadge(CauseKind::kEffect);
     case VerdictKind::kParameter:
-      return report::badge("wrong parameter", Tone::Bad);
+      return causeBadge(CauseKind::kParameter);
     case VerdictKind::kReference:
-      return report::badge("wrong reference data", Tone::Bad);
+      return causeBadge(CauseKind::kReference);
     case VerdictKind::kUnknown:
       break;
   }
   return report::badge("cause unknown", Tone::Warning);
+}
+
+/// Of both causes, where the data cannot tell which of two that say different things of the model it is.
+Html answerBadge(const Diagnosis& diagnosis) {
+  const Html named = verdictBadge(diagnosis.verdict.kind);
+  const Cause* const other = otherOfTwo(diagnosis);
+  return other != nullptr ? named + report::text(" or ") + causeBadge(other->kind) : named;
 }
 
 std::string setupText(const Cause& cause) {
@@ -189,7 +208,14 @@ std::vector<Html> nextSteps(const Diagnosis& diagnosis) {
         report::text("If an effect is at work that the program does not know, add it to the model and run this "
                      "again."));
   }
-  if (kind == VerdictKind::kReference) {
+  const Cause* const other = otherOfTwo(diagnosis);
+  if (other != nullptr && (kind == VerdictKind::kReference || other->kind == CauseKind::kReference)) {
+    const Cause& reference = kind == VerdictKind::kReference ? diagnosis.causes.front() : *other;
+    items.push_back(
+        report::text(fmt::format("Measure the reference again first ({}): that tells which of the two it is, and "
+                                 "takes less than a change of the model.",
+                                 causeTitle(diagnosis, reference.name))));
+  } else if (kind == VerdictKind::kReference) {
     items.push_back(
         report::text("Measure the reference again, or correct it in experiment.json by the numbers above; do "
                      "not change the sensor model for it."));
@@ -258,7 +284,7 @@ void addAnswer(report::Page& page, const Diagnosis& diagnosis) {
   if (diagnosis.approximation) notes.insert(notes.begin(), diagnosis.approximation->text);
   if (!notes.empty()) facts.push_back({"To bear in mind", report::text(core::join(notes, " "))});
   facts.push_back({"What to do next", report::orderedList(nextSteps(diagnosis))});
-  page.answer("Answer", verdictBadge(diagnosis.verdict.kind), answerSentence(diagnosis), facts);
+  page.answer("Answer", answerBadge(diagnosis), answerSentence(diagnosis), facts);
 }
 
 }  // namespace gap

@@ -194,6 +194,13 @@ std::string correctedToo(const Diagnosis& diagnosis) {
   return beside.empty() ? "" : fmt::format(" Besides, the {} is wrong.", titlesOf(diagnosis, beside));
 }
 
+/// The listed cause of this name; null if there is none.
+const Cause* causeOf(const Diagnosis& diagnosis, const std::string& name) {
+  const auto cause = std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
+                                  [&](const Cause& listed) { return listed.name == name; });
+  return cause == diagnosis.causes.end() ? nullptr : &*cause;
+}
+
 /// What a cause would mean, as a clause.
 std::string clauseOf(const Diagnosis& diagnosis, const Cause& cause) {
   const std::string title = titlesOf(diagnosis, {cause.name});
@@ -210,15 +217,10 @@ std::string clauseOf(const Diagnosis& diagnosis, const Cause& cause) {
 
 /// Of a verdict that is one of two, which say different things of the model; else empty.
 std::string eitherAnswer(const Diagnosis& diagnosis) {
-  const Verdict& verdict = diagnosis.verdict;
-  if (!isOneOfTwo(verdict)) return "";
-  const auto causeOf = [&](const std::string& name) {
-    return std::find_if(diagnosis.causes.begin(), diagnosis.causes.end(),
-                        [&](const Cause& c) { return c.name == name; });
-  };
-  const auto named = causeOf(verdict.names.front()), other = causeOf(verdict.indistinguishable_from.front());
-  if (named == diagnosis.causes.end() || other == diagnosis.causes.end() || named->kind == other->kind) return "";
-  return fmt::format("Either {}, or {}: these data cannot tell which.", clauseOf(diagnosis, *named),
+  const Cause* const other = otherOfTwo(diagnosis);
+  if (other == nullptr) return "";
+  return fmt::format("Either {}, or {}: these data cannot tell which.",
+                     clauseOf(diagnosis, *causeOf(diagnosis, diagnosis.verdict.names.front())),
                      clauseOf(diagnosis, *other));
 }
 
@@ -259,6 +261,14 @@ const char* whatIsTied(const Verdict& verdict) { return verdict.names.size() == 
 
 bool isOneOfTwo(const Verdict& verdict) {
   return verdict.names.size() == 1 && verdict.beside.empty() && verdict.indistinguishable_from.size() == 1;
+}
+
+const Cause* otherOfTwo(const Diagnosis& diagnosis) {
+  const Verdict& verdict = diagnosis.verdict;
+  if (!isOneOfTwo(verdict)) return nullptr;
+  const Cause* const named = causeOf(diagnosis, verdict.names.front());
+  const Cause* const other = causeOf(diagnosis, verdict.indistinguishable_from.front());
+  return named != nullptr && other != nullptr && named->kind != other->kind ? other : nullptr;
 }
 
 std::string answerSentence(const Diagnosis& diagnosis) {

@@ -59,6 +59,10 @@ struct ContradictionWords {
 /// together (verdict.h).
 [[nodiscard]] bool isOneOfTwo(const Verdict& verdict);
 
+/// Of such a verdict the other cause, if it says something else of the model (an effect, a number, the reference); null
+/// if it does not, or for any other verdict.
+[[nodiscard]] const Cause* otherOfTwo(const Diagnosis& diagnosis);
+
 /// Of what a verdict names, what it cannot tell from other causes: "it", or "one of them" of two.
 [[nodiscard]] const char* whatIsTied(const Verdict& verdict);
 

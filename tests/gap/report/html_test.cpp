@@ -132,6 +132,29 @@ TEST(GapPage, OfAMissingEffectNamesItWithItsStrengthItsTrustAndItsNextSteps) {
   EXPECT_THAT(html, HasSubstr("wall &lt;1&gt;"));
 }
 
+// To measure a place again takes less than to change a model for what may be no effect.
+TEST(GapPage, OfAnEffectOrAWrongReferenceShowsBothAndSendsToTheReferenceFirst) {
+  const std::string place = "/scene/0/pose/position_m/0";
+  gap::Diagnosis d = fogDiagnosis();
+  d.causes.insert(d.causes.begin() + 1, causeOf(gap::CauseKind::kReference, place, 0.9));
+  d.verdict.indistinguishable_from = {place};
+  const auto expectBoth = [](const gap::Diagnosis& diagnosis, const std::string& badges) {
+    const std::string html = gap::reportHtml(diagnosis);
+    expectSoundPage(html);
+    EXPECT_THAT(html, HasSubstr(badges));
+    EXPECT_THAT(html, HasSubstr("Measure the reference again first ("));
+    EXPECT_THAT(html, Not(HasSubstr("do not change the sensor model")));
+  };
+  const std::string effect = "<span class=\"badge bad\">missing effect</span>";
+  const std::string reference = "<span class=\"badge bad\">wrong reference data</span>";
+  expectBoth(d, effect + " or " + reference);
+  std::swap(d.causes[0], d.causes[1]);
+  d.verdict.kind = gap::VerdictKind::kReference;
+  d.verdict.names = {place};
+  d.verdict.indistinguishable_from = {"atmospheric-attenuation"};
+  expectBoth(d, reference + " or " + effect);
+}
+
 TEST(GapPage, OfAnEffectAndANumberCorrectedBesideItTellsBothAndWhatChangesInTheModel) {
   gap::Diagnosis d = fogDiagnosis();
   d.causes.insert(d.causes.begin() + 1, causeOf(gap::CauseKind::kParameter, "/sensor/emitter/peak_power_w", 0.96));
